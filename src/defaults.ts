@@ -1,0 +1,59 @@
+/**
+ * Every default of the package, in one place; the docs' tables are tested against it.
+ * Metres, seconds, radians unless a line says otherwise.
+ */
+export const DEFAULTS = {
+  collider: {
+    /** What is read back: 'surface' (distance and normal of every texel) or 'axis' (the paper's six maxima). */
+    output: 'surface',
+    /** Texels per face edge. */
+    resolution: 32,
+    /** Reach: how far from its centre the cubemap sees. */
+    far: 1.8,
+    /** Nearest distance drawn, as a part of the reach. */
+    nearRatio: 0.01,
+    /** Deepest penetration told apart in the paper's mode, as a part of rMax. */
+    rMinRatio: 0.5,
+    /** The sphere of the paper's mode. */
+    rMax: 0.35,
+    /** 'async' for surfaces; the paper's mode reads 'sync'. */
+    readback: 'async',
+    /** Which sides of a triangle are solid: 'both', or 'drawn' as each material culls. */
+    sides: 'both',
+    /** Texel format: 'auto' takes the first that the context can draw of RGBA32F, RGBA16F, RGBA8. */
+    format: 'auto',
+    /** How far it may move from its newest field before `update` waits for the next, as a part of the reach. */
+    slackRatio: 0.25,
+  },
+  character: {
+    radius: 0.35,
+    height: 1.8,
+    gravity: 20,
+    terminalSpeed: 50,
+    jumpHeight: 1.1,
+    /** Longest step taken at once. */
+    maxDelta: 0.1,
+  },
+  axis: {
+    /** Response factor along X and Z, less than `cY` (equations (23), (25)). */
+    cXZ: 0.5,
+    /** Response factor along Y (equation (24)). */
+    cY: 1,
+    /** Pushes shorter than this are dropped (§1.2.3): off. */
+    hMax: 0,
+  },
+  controls: {
+    view: 'first',
+    walkSpeed: 3,
+    runSpeed: 6,
+    eyeHeight: 1.6,
+    /** Radians a pixel of mouse travel. */
+    sensitivity: 0.002,
+    /** Largest pitch either way. */
+    maxPitch: (85 * Math.PI) / 180,
+    /** Third person: camera's distance from the head. */
+    distance: 4,
+    minDistance: 1,
+    maxDistance: 7,
+  },
+} as const;
