@@ -31,6 +31,8 @@ export const DEFAULTS = {
     gravity: 20,
     terminalSpeed: 50,
     jumpHeight: 1.1,
+    /** How long it counts as grounded, and may jump, after the ground last pushed. */
+    coyote: 0.1,
     /** Longest step taken at once. */
     maxDelta: 0.1,
   },

@@ -1,0 +1,58 @@
+import { Vector3 } from 'three';
+import type { AxisMaxima } from '../cube/AxisMaxima.js';
+import { axisMaximaAt } from '../field/axisMaxima.js';
+import { limitTravel } from '../response/limitTravel.js';
+import type { CharacterCollider } from './CharacterCollider.js';
+
+/**
+ * Can the collider's newest data vouch for a sphere? Not if there are none, or if they were drawn too far away: the
+ * paper's maxima vouch within rMax - rMin of their centre, a surface field for spheres wholly within its reach.
+ *
+ * @param center the sphere's middle, world space, metres
+ * @param radius metres; the paper's maxima bring their own
+ */
+export function vouchesFor(collider: CharacterCollider, center: Vector3, radius: number): boolean {
+  const { maxima, field } = collider;
+  if (maxima !== null) return center.distanceTo(maxima.center) <= maxima.rMax - maxima.rMin;
+  return field !== null && center.distanceTo(field.center) + radius <= field.far;
+}
+
+/**
+ * What the collider's newest data say about a sphere, or null where they cannot vouch for it. The paper's maxima are
+ * taken as they are (their `rMax` is the sphere's radius); a surface field is seen again from `center`.
+ *
+ * @param center the sphere's middle, world space, metres
+ * @param scratch receives what a surface field is reduced to; its `rMin` and `rMax` are the sphere's
+ */
+export function surroundings(
+  collider: CharacterCollider,
+  center: Vector3,
+  scratch: AxisMaxima,
+): AxisMaxima | null {
+  if (!vouchesFor(collider, center, scratch.rMax)) return null;
+  return collider.maxima ?? axisMaximaAt(collider.field!, center, scratch);
+}
+
+/**
+ * The part of `travel`, 0 to 1, that the data vouch for: see `limitTravel`; a surface field is not left, either.
+ *
+ * @param seen what `surroundings` returned
+ */
+export function vouchedTravel(
+  collider: CharacterCollider,
+  seen: AxisMaxima,
+  center: Vector3,
+  travel: Vector3,
+): number {
+  const part = limitTravel(seen, center, travel);
+  there.copy(center).addScaledVector(travel, part);
+  return collider.maxima !== null || vouchesFor(collider, there, seen.rMax) ? part : 0;
+}
+
+/** Was the collider's newest data drawn around `center`, to a thousandth of the sphere's radius? */
+export function drawnAt(collider: CharacterCollider, center: Vector3, radius: number): boolean {
+  const drawn = (collider.maxima ?? collider.field)?.center;
+  return drawn !== undefined && drawn.distanceTo(center) <= radius / 1000;
+}
+
+const there = /* @__PURE__ */ new Vector3();

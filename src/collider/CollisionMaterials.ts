@@ -1,0 +1,93 @@
+import {
+  BackSide,
+  DoubleSide,
+  FrontSide,
+  type Material,
+  NoBlending,
+  ShaderMaterial,
+  type Side,
+} from 'three';
+import type { TexelFormat } from '../cube/encoding.js';
+import {
+  axisFragmentShader,
+  collisionVertexShader,
+  surfaceFragmentShader,
+} from './collisionShader.js';
+
+/** What the materials must know of their collider. */
+export interface CollisionMaterialSettings {
+  readonly output: 'surface' | 'axis';
+  readonly sides: 'both' | 'drawn';
+  readonly format: TexelFormat;
+  readonly far: number;
+  readonly rMin: number;
+  readonly rMax: number;
+}
+
+/**
+ * The materials that scenery wears in the cubemap: one per side a source material shows, however many materials there
+ * are. Those that change a surface's shape or coverage will be wrapped here (`for` is the one place that decides).
+ */
+export class CollisionMaterials {
+  readonly #settings: CollisionMaterialSettings;
+  readonly #bySide = new Map<Side, ShaderMaterial>();
+  readonly #arrays = new WeakMap<Material[], ShaderMaterial[]>();
+
+  constructor(settings: CollisionMaterialSettings) {
+    this.#settings = settings;
+  }
+
+  /** The collision material for a mesh's material, or one for each of several. */
+  for(source: Material | Material[]): ShaderMaterial | ShaderMaterial[] {
+    if (!Array.isArray(source)) return this.#ofSide(source.side);
+    let materials = this.#arrays.get(source);
+    if (materials === undefined) this.#arrays.set(source, (materials = []));
+    materials.length = source.length;
+    for (let i = 0; i < source.length; i++) {
+      // A group without a material is not drawn by three; keep the hole.
+      if (source[i]) materials[i] = this.#ofSide(source[i]!.side);
+      else delete materials[i];
+    }
+    return materials;
+  }
+
+  dispose(): void {
+    for (const material of this.#bySide.values()) material.dispose();
+    this.#bySide.clear();
+  }
+
+  #ofSide(side: Side): ShaderMaterial {
+    let material = this.#bySide.get(side);
+    if (material === undefined) this.#bySide.set(side, (material = this.#create(side)));
+    return material;
+  }
+
+  #create(side: Side): ShaderMaterial {
+    const { output, sides, format, far, rMin, rMax } = this.#settings;
+    const axis = output === 'axis';
+    return new ShaderMaterial({
+      name: `CubeCollider ${output}`,
+      vertexShader: collisionVertexShader,
+      fragmentShader: axis ? axisFragmentShader : surfaceFragmentShader(format),
+      uniforms: axis
+        ? { rMin: { value: rMin }, rMax: { value: rMax } }
+        : { far: { value: far }, frontSign: { value: side === BackSide ? -1 : 1 } },
+      side:
+        sides === 'both'
+          ? DoubleSide
+          : side === DoubleSide
+            ? DoubleSide
+            : side === BackSide
+              ? BackSide
+              : FrontSide,
+      // Drawn twice otherwise, if a user's override ever made it transparent.
+      forceSinglePass: true,
+      blending: NoBlending,
+      toneMapped: false,
+      fog: false,
+      lights: false,
+      // The user's global planes cut the cubemap as they cut the picture.
+      clipping: true,
+    });
+  }
+}

@@ -1,0 +1,447 @@
+import { Object3D, Scene, Vector3, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import { atlasSize } from '../cube/atlas.js';
+import { AxisMaxima } from '../cube/AxisMaxima.js';
+import { decodeSurface, type TexelFormat } from '../cube/encoding.js';
+import { texelDirections } from '../cube/texelDirections.js';
+import { SurfaceField } from '../field/SurfaceField.js';
+import { AxisPass } from './AxisPass.js';
+import { CollisionMaterials } from './CollisionMaterials.js';
+import {
+  type CubeColliderOptions,
+  type CubeColliderSettings,
+  resolveOptions,
+} from './CubeColliderOptions.js';
+import { FaceCameras } from './FaceCameras.js';
+import { type DrawStamp, ReadbackRing } from './ReadbackRing.js';
+import { type ReadbackClient, ReadbackScheduler } from './ReadbackScheduler.js';
+import { RendererState } from './RendererState.js';
+import { Selection } from './Selection.js';
+import { bestTexelFormat, createTexelTarget } from './texelTarget.js';
+
+/** What a collider has done so far. */
+export interface CubeColliderStats {
+  /** Cubemaps drawn. */
+  draws: number;
+  /** Cubemaps read back and decoded. */
+  reads: number;
+  /** Updates that drew nothing, since as many reads as there are buffers were on their way. */
+  skipped: number;
+  /** Asynchronous reads that had to be waited for because the reach was about to run out. */
+  forced: number;
+  /** Milliseconds the page has waited in read-backs, all together. */
+  blocked: number;
+  /** Milliseconds it waited in the last one. */
+  lastBlocked: number;
+  /** Milliseconds from the newest field's draw to its arrival. */
+  latency: number;
+  /** Updates from the newest field's draw to its arrival. */
+  latencyUpdates: number;
+  /** Meshes in the last cubemap. */
+  objects: number;
+  /** Draw calls of the last cubemap. */
+  drawCalls: number;
+}
+
+/** Updates without any field after which one is waited for, however busy the GPU. */
+const PATIENCE = 4;
+
+const worldPosition = new Vector3();
+
+/**
+ * A depth cubemap around a point, read back: what the GPU draws within reach, as surfaces to collide with.
+ *
+ * Like three's `CubeCamera` it is an `Object3D` placed where it shall look from, and `update` draws it. Unlike it, it
+ * draws all faces in one pass, leaves the renderer as it found it, and gives numbers.
+ *
+ * ```js
+ * const collider = new CubeCollider({ far: 2 });
+ * renderer.setAnimationLoop(() => {
+ *   collider.position.copy(player.position);
+ *   collider.update(renderer, scene);
+ *   if (collider.field) console.log(collider.field.distance[0]);
+ *   renderer.render(scene, camera);
+ * });
+ * ```
+ *
+ * Constructor mistakes throw. `update` never does: without renderer or scene, disposed, or with its context lost, it
+ * warns once and leaves what is there.
+ */
+export class CubeCollider extends Object3D implements ReadbackClient {
+  override readonly type = 'CubeCollider';
+  readonly isCubeCollider = true;
+  /** 'surface' fills `field`, 'axis' fills `maxima`. */
+  readonly output: 'surface' | 'axis';
+  readonly resolution: number;
+  readonly near: number;
+  readonly far: number;
+  readonly rMin: number;
+  readonly rMax: number;
+  readonly readback: 'async' | 'sync';
+  readonly sides: 'both' | 'drawn';
+  /** Called for each mesh within reach; false makes it no obstacle. */
+  filter: ((object: Object3D) => boolean) | null;
+  readonly stats: CubeColliderStats = {
+    draws: 0,
+    reads: 0,
+    skipped: 0,
+    forced: 0,
+    blocked: 0,
+    lastBlocked: 0,
+    latency: 0,
+    latencyUpdates: 0,
+    objects: 0,
+    drawCalls: 0,
+  };
+
+  readonly #settings: CubeColliderSettings;
+  readonly #excluded = new Set<Object3D>();
+  readonly #selection = new Selection();
+  readonly #state = new RendererState();
+  readonly #scene = new Scene();
+  readonly #fields: SurfaceField[] = [];
+  readonly #axisMaxima: AxisMaxima;
+  readonly #warned = new Set<string>();
+  #field: SurfaceField | null = null;
+  #hasMaxima = false;
+  #gpu: ColliderResources | null = null;
+  #updates = 0;
+  #updatesWaiting = 0;
+  #urgent = false;
+  #waiters: (() => void)[] = [];
+  #disposed = false;
+  readonly #stamp: DrawStamp = { center: new Vector3(), time: 0, serial: 0 };
+  readonly #dress;
+
+  constructor(options: CubeColliderOptions = {}) {
+    super();
+    const settings = resolveOptions(options);
+    this.#settings = settings;
+    this.output = settings.output;
+    this.resolution = settings.resolution;
+    this.near = settings.near;
+    this.far = settings.far;
+    this.rMin = settings.rMin;
+    this.rMax = settings.rMax;
+    this.readback = settings.readback;
+    this.sides = settings.sides;
+    this.filter = settings.filter;
+    this.#axisMaxima = new AxisMaxima(settings.rMin, settings.rMax);
+    if (settings.output === 'surface') {
+      const directions = texelDirections(settings.resolution);
+      // Two, written in turn: the newest stays whole while the next is decoded.
+      for (let i = 0; i < 2; i++) {
+        this.#fields.push(new SurfaceField(settings.resolution, settings.far, directions));
+      }
+    }
+    this.#scene.matrixAutoUpdate = this.#scene.matrixWorldAutoUpdate = false;
+    this.#scene.layers.enableAll();
+    this.#dress = (source: Parameters<CollisionMaterials['for']>[0]) =>
+      this.#gpu!.materials.for(source);
+  }
+
+  /** The newest surfaces, or null before the first. It is overwritten two fields later; copy what must last. */
+  get field(): SurfaceField | null {
+    return this.#field;
+  }
+
+  /** The paper's mode: the newest maxima, or null before the first. Overwritten by the next. */
+  get maxima(): AxisMaxima | null {
+    return this.#hasMaxima ? this.#axisMaxima : null;
+  }
+
+  /** The atlas: 3×2 tiles of resolution² texels; null before the first update. */
+  get renderTarget(): WebGLRenderTarget | null {
+    return this.#gpu?.atlas ?? null;
+  }
+
+  /** How texels are stored; the paper's mode is always RGBA8. Null before the first update, if left to 'auto'. */
+  get format(): TexelFormat | null {
+    if (this.#gpu !== null) return this.#gpu.format;
+    if (this.output === 'axis') return 'RGBA8';
+    return this.#settings.format === 'auto' ? null : this.#settings.format;
+  }
+
+  /** Objects left out with all below them. */
+  get excluded(): ReadonlySet<Object3D> {
+    return this.#excluded;
+  }
+
+  /** Leaves `object` and what is below it out of the cubemap. */
+  exclude(object: Object3D): void {
+    this.#excluded.add(object);
+  }
+
+  /** Takes `object` back in. */
+  include(object: Object3D): void {
+    this.#excluded.delete(object);
+  }
+
+  /**
+   * Draws the cubemap around this object's world position and starts its read-back; with 'sync' finishes it too. Call
+   * it at the start of a frame, before the scene is rendered.
+   */
+  update(renderer: WebGLRenderer, scene: Object3D): void {
+    if (!this.#usable(renderer, scene)) return;
+    this.#updates++;
+    const gpu = this.#resources(renderer);
+    this.updateWorldMatrix(true, false);
+    const center = worldPosition.setFromMatrixPosition(this.matrixWorld);
+    if (!Number.isFinite(center.x + center.y + center.z)) {
+      this.#warn(
+        'position',
+        'its position is not finite; place it before updating. It keeps its last field.',
+      );
+      return;
+    }
+    if (this.readback === 'sync') {
+      this.#draw(renderer, scene, center);
+      return;
+    }
+    if (gpu.ring.inFlight > 0 && this.#mustWait(center)) {
+      this.stats.forced++;
+      this.deliver();
+    }
+    if (!gpu.ring.free) {
+      this.stats.skipped++;
+      return;
+    }
+    this.#draw(renderer, scene, center);
+    gpu.scheduler.wait(this);
+  }
+
+  /**
+   * `update`, resolved once what it drew has been read: for tests, tools and loading screens. It does not block.
+   *
+   * @returns the field, or null in the paper's mode (whose `maxima` are then fresh) and where `update` could not draw
+   */
+  async updateAsync(renderer: WebGLRenderer, scene: Object3D): Promise<SurfaceField | null> {
+    const drawn = this.stats.draws;
+    // Reads on their way are of no more use: what is asked for is newer.
+    this.#gpu?.ring.drop();
+    this.update(renderer, scene);
+    if (this.stats.draws === drawn) return null;
+    if (this.readback === 'async') {
+      this.#urgent = true;
+      await new Promise<void>((resolve) => this.#waiters.push(resolve));
+    }
+    return this.#field;
+  }
+
+  /** Compiles the programs for what is in `scene`, so that the first `update` does not stutter. */
+  async compile(renderer: WebGLRenderer, scene: Object3D): Promise<void> {
+    if (!this.#usable(renderer, scene)) return;
+    const gpu = this.#resources(renderer);
+    this.updateWorldMatrix(true, false);
+    const center = worldPosition.setFromMatrixPosition(this.matrixWorld);
+    this.#select(scene, center, Infinity);
+    let compiled: Promise<unknown>;
+    this.#state.enter(renderer);
+    try {
+      renderer.setRenderTarget(gpu.atlas);
+      compiled = renderer.compileAsync(this.#scene, gpu.cameras);
+      gpu.axis?.compile(renderer);
+    } finally {
+      this.#state.leave(renderer);
+      this.#scene.children = [];
+    }
+    await compiled;
+  }
+
+  /** Forgets every field, those on their way included: after a teleport, or when scenery changed at a stroke. */
+  invalidate(): void {
+    this.#field = null;
+    this.#hasMaxima = false;
+    this.#updatesWaiting = 0;
+    this.#gpu?.ring.drop();
+    this.#gpu?.scheduler.cancel(this);
+    this.#settle();
+  }
+
+  /** Frees everything on the GPU. Afterwards `update` does nothing. */
+  override dispose(): void {
+    this.invalidate();
+    this.#gpu?.dispose();
+    this.#gpu = null;
+    this.#disposed = true;
+  }
+
+  /** True once a caller of `updateAsync` waits and its own read is through. For `ReadbackScheduler`. @internal */
+  get urgent(): boolean {
+    return this.#urgent && this.#gpu !== null && this.#gpu.ring.fenced;
+  }
+
+  /** Copies the newest read and decodes it. Called by `ReadbackScheduler`. @internal */
+  deliver(): void {
+    const gpu = this.#gpu;
+    if (gpu === null) return;
+    const start = performance.now();
+    const stamp = gpu.ring.finish();
+    this.#blocked(start);
+    if (stamp !== null) this.#publish(gpu, stamp);
+    this.#settle();
+  }
+
+  /** Select, draw, and read (or start to): what was drawn last is still bound then. */
+  #draw(renderer: WebGLRenderer, scene: Object3D, center: Vector3): void {
+    const gpu = this.#gpu!;
+    const time = performance.now();
+    this.#select(scene, center, this.output === 'axis' ? this.rMax : this.far);
+    gpu.cameras.moveTo(center);
+    this.#state.enter(renderer);
+    try {
+      const before = renderer.info.render.calls;
+      renderer.setRenderTarget(gpu.atlas);
+      renderer.render(this.#scene, gpu.cameras);
+      this.stats.drawCalls = renderer.info.render.calls - before;
+      gpu.axis?.reduce(renderer);
+      this.stats.draws++;
+      this.#updatesWaiting++;
+      if (this.readback === 'async') gpu.ring.start(center, time, this.stats.draws);
+      else this.#readNow(gpu, center, time);
+    } finally {
+      this.#state.leave(renderer);
+    }
+  }
+
+  #select(scene: Object3D, center: Vector3, reach: number): void {
+    this.#selection.select(scene, center, reach, this, this.#dress);
+    this.#scene.children = this.#selection.proxies;
+    this.stats.objects = this.#selection.proxies.length;
+  }
+
+  #readNow(gpu: ColliderResources, center: Vector3, time: number): void {
+    const start = performance.now();
+    gpu.ring.readNow();
+    this.#blocked(start);
+    this.#stamp.center.copy(center);
+    this.#stamp.time = time;
+    this.#stamp.serial = this.stats.draws;
+    this.#publish(gpu, this.#stamp);
+  }
+
+  /** Decodes the ring's data into the next field, or the maxima. */
+  #publish(gpu: ColliderResources, stamp: DrawStamp): void {
+    if (gpu.axis !== null) {
+      gpu.axis.decode(gpu.ring.data as Uint8Array, this.#axisMaxima);
+      this.#axisMaxima.center.copy(stamp.center);
+      this.#hasMaxima = true;
+    } else {
+      const next = this.#fields[this.stats.reads % 2]!;
+      next.center.copy(stamp.center);
+      next.time = stamp.time;
+      next.serial = stamp.serial;
+      decodeSurface(gpu.format, gpu.ring.data, next);
+      this.#field = next;
+    }
+    this.stats.reads++;
+    this.stats.latency = performance.now() - stamp.time;
+    this.stats.latencyUpdates = this.#updatesWaiting - 1;
+    this.#updatesWaiting = 0;
+  }
+
+  /** True if the newest field's reach is about to run out, or there has been none for too long. */
+  #mustWait(center: Vector3): boolean {
+    const newest =
+      this.output === 'axis' ? (this.#hasMaxima ? this.#axisMaxima : null) : this.#field;
+    if (newest === null) return this.#updatesWaiting >= PATIENCE;
+    return newest.center.distanceTo(center) > this.#settings.slack;
+  }
+
+  #blocked(start: number): void {
+    this.stats.lastBlocked = performance.now() - start;
+    this.stats.blocked += this.stats.lastBlocked;
+  }
+
+  #settle(): void {
+    this.#urgent = false;
+    for (const resolve of this.#waiters) resolve();
+    this.#waiters.length = 0;
+  }
+
+  #usable(renderer: WebGLRenderer, scene: Object3D): boolean {
+    if (this.#disposed) {
+      this.#warn('disposed', 'it was disposed; make a new one.');
+      return false;
+    }
+    if (!renderer || typeof renderer.getContext !== 'function') {
+      this.#warn(
+        'renderer',
+        'update(renderer, scene) needs a WebGLRenderer. It keeps its last field.',
+      );
+      return false;
+    }
+    if (!scene?.isObject3D) {
+      this.#warn('scene', 'update(renderer, scene) needs a scene. It keeps its last field.');
+      return false;
+    }
+    if (renderer.getContext().isContextLost()) {
+      // Everything on the GPU is gone; three builds its part anew once the context is back.
+      if (this.#gpu !== null) {
+        this.#gpu.scheduler.cancel(this);
+        this.#gpu = null;
+        this.invalidate();
+      }
+      return false;
+    }
+    return true;
+  }
+
+  #resources(renderer: WebGLRenderer): ColliderResources {
+    if (this.#gpu !== null && this.#gpu.renderer !== renderer) {
+      this.invalidate();
+      this.#gpu.dispose();
+      this.#gpu = null;
+    }
+    this.#gpu ??= new ColliderResources(renderer, this.#settings);
+    return this.#gpu;
+  }
+
+  #warn(key: string, message: string): void {
+    if (this.#warned.has(key)) return;
+    this.#warned.add(key);
+    console.warn(`CubeCollider: ${message}`);
+  }
+}
+
+/** Everything a collider keeps on one renderer's GPU. */
+class ColliderResources {
+  readonly format: TexelFormat;
+  readonly atlas: WebGLRenderTarget;
+  readonly cameras: FaceCameras;
+  readonly materials: CollisionMaterials;
+  /** The search for the maxima; null if surfaces are read. */
+  readonly axis: AxisPass | null;
+  readonly ring: ReadbackRing;
+  readonly scheduler: ReadbackScheduler;
+
+  constructor(
+    readonly renderer: WebGLRenderer,
+    settings: CubeColliderSettings,
+  ) {
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    const { resolution, near, far, output } = settings;
+    const axis = output === 'axis';
+    this.format = axis
+      ? 'RGBA8'
+      : settings.format === 'auto'
+        ? bestTexelFormat(gl)
+        : settings.format;
+    const { width, height } = atlasSize(resolution);
+    this.atlas = createTexelTarget(width, height, this.format, true);
+    this.cameras = new FaceCameras(resolution, near, far);
+    this.materials = new CollisionMaterials({ ...settings, format: this.format });
+    this.axis = axis ? new AxisPass(resolution, this.atlas.texture) : null;
+    const float = this.format !== 'RGBA8';
+    this.ring = axis
+      ? new ReadbackRing(gl, 6, 1, false)
+      : new ReadbackRing(gl, width, height, float);
+    this.scheduler = ReadbackScheduler.of(gl);
+  }
+
+  dispose(): void {
+    this.atlas.dispose();
+    this.materials.dispose();
+    this.axis?.dispose();
+    this.ring.dispose();
+  }
+}

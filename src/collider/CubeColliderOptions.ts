@@ -1,0 +1,123 @@
+import type { Object3D } from 'three';
+import { TEXEL_FORMATS, type TexelFormat } from '../cube/encoding.js';
+import { clipPlanes } from '../cube/faceMatrices.js';
+import { DEFAULTS } from '../defaults.js';
+
+/** Options of `CubeCollider`. Lengths in metres. */
+export interface CubeColliderOptions {
+  /**
+   * What is read back: 'surface', the distance, normal and facing of every texel (`field`), or 'axis', the paper's six
+   * maxima (`maxima`). Default 'surface'.
+   */
+  output?: 'surface' | 'axis';
+  /** Texels per face edge, an integer from 4 to 256. Default 32. */
+  resolution?: number;
+  /** Nearest distance drawn along a face's axis. Default 0.01 of the reach; surfaces nearer are not seen. */
+  near?: number;
+  /** Reach: how far from the centre it sees. Default 1.8; in the paper's mode it is `rMax`. */
+  far?: number;
+  /**
+   * 'async' copies a cubemap once the GPU has nothing queued, so reading never stalls the page; 'sync' waits for it in
+   * `update`. Default 'async' for surfaces, 'sync' for the paper's mode.
+   */
+  readback?: 'async' | 'sync';
+  /**
+   * 'both': the back of a triangle is solid too and known as a back. 'drawn': triangles are culled as their material
+   * culls them, and nothing is known of insides. Default 'both'.
+   */
+  sides?: 'both' | 'drawn';
+  /** Called for each mesh within reach; returning false makes it no obstacle. Default: none. */
+  filter?: (object: Object3D) => boolean;
+  /** Paper's mode: the deepest penetration told apart ends here. Default half of `rMax`. */
+  rMin?: number;
+  /** Paper's mode: radius of the sphere. Default 0.35. */
+  rMax?: number;
+  /** How surface texels are stored; 'auto' takes the best the context can draw. Default 'auto'. */
+  format?: TexelFormat | 'auto';
+  /**
+   * Asynchronous reading: how far the collider may move from its newest field before `update` waits for the next.
+   * Default a quarter of the reach.
+   */
+  slack?: number;
+}
+
+/** The options with every default in place, checked. */
+export interface CubeColliderSettings {
+  readonly output: 'surface' | 'axis';
+  readonly resolution: number;
+  readonly near: number;
+  readonly far: number;
+  readonly readback: 'async' | 'sync';
+  readonly sides: 'both' | 'drawn';
+  readonly filter: ((object: Object3D) => boolean) | null;
+  readonly rMin: number;
+  readonly rMax: number;
+  readonly format: TexelFormat | 'auto';
+  readonly slack: number;
+}
+
+/**
+ * Fills in the defaults and checks what the user gave.
+ *
+ * @throws RangeError or TypeError, naming the option and what it may be
+ */
+export function resolveOptions(options: CubeColliderOptions): CubeColliderSettings {
+  const d = DEFAULTS.collider;
+  const output = oneOf('output', options.output ?? d.output, ['surface', 'axis']);
+  const axis = output === 'axis';
+
+  const rMax = positive('rMax', options.rMax ?? d.rMax);
+  const rMin = positive('rMin', options.rMin ?? d.rMinRatio * rMax);
+  if (rMax <= rMin) fail('"rMax" must be greater than "rMin"', `${rMin}, ${rMax}`);
+
+  const clip = clipPlanes(rMin, rMax);
+  const far = positive('far', options.far ?? (axis ? clip.far : d.far));
+  const near = positive('near', options.near ?? (axis ? clip.near : d.nearRatio * far));
+  if (far <= near) fail('"far" must be greater than "near"', `${near}, ${far}`);
+  if (axis && far < rMax) fail('"far" must be at least "rMax" in the paper\'s mode', `${far}`);
+  if (axis && near > rMin / Math.sqrt(3)) {
+    fail('"near" must be at most "rMin"/√3 in the paper\'s mode, or corners are lost', `${near}`);
+  }
+
+  const resolution = options.resolution ?? d.resolution;
+  if (!Number.isInteger(resolution) || resolution < 4 || resolution > 256) {
+    fail('"resolution" must be an integer from 4 to 256', resolution);
+  }
+  const { filter = null } = options;
+  if (filter !== null && typeof filter !== 'function') {
+    throw new TypeError('CubeCollider: "filter" must be a function (object) => boolean.');
+  }
+  return {
+    output,
+    resolution,
+    near,
+    far,
+    readback: oneOf('readback', options.readback ?? (axis ? 'sync' : d.readback), [
+      'async',
+      'sync',
+    ]),
+    sides: oneOf('sides', options.sides ?? d.sides, ['both', 'drawn']),
+    filter,
+    rMin,
+    rMax,
+    format: oneOf('format', options.format ?? d.format, ['auto', ...TEXEL_FORMATS]),
+    slack: positive('slack', options.slack ?? d.slackRatio * far),
+  };
+}
+
+function fail(what: string, got: unknown): never {
+  throw new RangeError(`CubeCollider: ${what} (got ${String(got)}).`);
+}
+
+function positive(name: string, value: number): number {
+  if (!Number.isFinite(value) || value <= 0)
+    fail(`"${name}" must be a number greater than 0`, value);
+  return value;
+}
+
+function oneOf<T extends string>(name: string, value: T, allowed: readonly T[]): T {
+  if (!allowed.includes(value)) {
+    fail(`"${name}" must be ${allowed.map((each) => `'${each}'`).join(' or ')}`, value);
+  }
+  return value;
+}

@@ -1,0 +1,108 @@
+import { type Camera, Euler, type Object3D, Vector3 } from 'three';
+import type { ControlledCharacter } from './ControlledCharacter.js';
+
+/** The boom leaves the head this far above the line of sight, radians: the avatar sits below the picture's middle. */
+const BOOM_LIFT = 0.22;
+/** The camera keeps this far above the plane of the foot, metres. */
+const GROUND_CLEARANCE = 0.25;
+/** Nearer than this to the head the avatar would fill the picture, metres. */
+const AVATAR_NEAR = 0.7;
+/** A rise of the foot that is walked, not teleported, metres in one frame. */
+const LARGEST_STEP = 0.6;
+/** Rates at which things settle, 1/s, before `smoothing` scales them. */
+const STEP_RATE = 14;
+const BOOM_RATE = 10;
+const TURN_RATE = 12;
+
+const _euler = /* @__PURE__ */ new Euler(0, 0, 0, 'YXZ');
+const _boom = /* @__PURE__ */ new Vector3();
+
+/** Part of the way to go in `delta` seconds at `rate` 1/s: the same after a second at any frame rate. */
+export function catchUp(rate: number, delta: number): number {
+  return rate === Infinity ? 1 : 1 - Math.exp(-rate * delta);
+}
+
+/**
+ * Puts a camera into a character's head or behind it, and turns its avatar where it walks.
+ */
+export class CameraRig {
+  /** Scales every rate; Infinity takes each motion at once. */
+  smoothing = 1;
+
+  /** Length of the boom now, metres; 0 in the head, NaN before the first frame, which does not glide. */
+  private boom = NaN;
+  /** What is left to climb of the steps walked, metres. */
+  private lag = 0;
+  private lastY = NaN;
+  private lastGrounded = false;
+  private facing = NaN;
+
+  /**
+   * Places the camera.
+   *
+   * @param boom wanted distance from the head, metres; 0 in first person
+   * @param eyeHeight above the foot, metres
+   * @param yaw about +Y, 0 looks along -Z, radians @param pitch up, radians
+   */
+  place(
+    camera: Camera,
+    character: ControlledCharacter,
+    boom: number,
+    eyeHeight: number,
+    yaw: number,
+    pitch: number,
+    delta: number,
+  ): void {
+    const foot = character.position;
+    this.climb(foot.y, character.grounded, delta);
+    this.boom = Number.isNaN(this.boom) ? boom : this.boom;
+    this.boom += (boom - this.boom) * catchUp(BOOM_RATE * this.smoothing, delta);
+    if (Math.abs(boom - this.boom) < 1e-3) this.boom = boom;
+
+    camera.position.copy(foot);
+    camera.position.y += eyeHeight + this.lag;
+    if (this.boom > 0) {
+      // Looking up would swing the boom into the ground: it stops there and only the camera tilts on.
+      const drop = Math.max(eyeHeight - GROUND_CLEARANCE, 0) / this.boom;
+      const lowest = drop < 1 ? Math.asin(drop) : 0.5;
+      _euler.set(Math.min(pitch - BOOM_LIFT, lowest), yaw, 0);
+      camera.position.addScaledVector(_boom.set(0, 0, 1).applyEuler(_euler), this.boom);
+    }
+    camera.quaternion.setFromEuler(_euler.set(pitch, yaw, 0));
+  }
+
+  /**
+   * Stands the avatar on the foot, turned to where the character walks.
+   *
+   * @param heading the direction it means to walk in, world space; its length does not matter, zero keeps the last
+   */
+  pose(
+    avatar: Object3D,
+    character: ControlledCharacter,
+    heading: Vector3,
+    yaw: number,
+    delta: number,
+  ): void {
+    avatar.visible = this.boom > AVATAR_NEAR;
+    avatar.position.copy(character.position);
+    avatar.position.y += this.lag;
+    if (Number.isNaN(this.facing)) this.facing = yaw + Math.PI;
+    if (heading.x !== 0 || heading.z !== 0) {
+      const turn = Math.atan2(heading.x, heading.z) - this.facing;
+      const shortest = turn - 2 * Math.PI * Math.round(turn / (2 * Math.PI));
+      this.facing += shortest * catchUp(TURN_RATE * this.smoothing, delta);
+    }
+    avatar.rotation.set(0, this.facing, 0);
+  }
+
+  /** A step is climbed at once by the body; the eye takes a moment. Falls and jumps are not smoothed: they would lag. */
+  private climb(y: number, grounded: boolean, delta: number): void {
+    const rise = y - this.lastY;
+    if (grounded && this.lastGrounded && Math.abs(rise) < LARGEST_STEP) this.lag -= rise;
+    else if (!(Math.abs(rise) < LARGEST_STEP)) this.lag = 0;
+    this.lag -= this.lag * catchUp(STEP_RATE * this.smoothing, delta);
+    this.lag = Math.max(-LARGEST_STEP, Math.min(LARGEST_STEP, this.lag));
+    this.lastY = y;
+    this.lastGrounded = grounded;
+  }
+}

@@ -1,0 +1,20 @@
+import type { Object3D, Vector3 } from 'three';
+
+/** What controls ask of a character. `CharacterController` is one; anything else that walks may be. */
+export interface ControlledCharacter {
+  /** Middle of the foot, interpolated for drawing, world space, metres. */
+  readonly position: Vector3;
+  /** World space, m/s. */
+  readonly velocity: Vector3;
+  /** Whether it stands on something. */
+  readonly grounded: boolean;
+  /** What is drawn of it in third person: its origin at the foot, looking along its own +Z as glTF has it. */
+  readonly avatar?: Object3D | null;
+  /** Sets the wanted horizontal velocity, m/s; holds until changed. */
+  walk(velocity: Vector3): void;
+  /** Asks for a jump. */
+  jump(): void;
+}
+
+/** Where the camera is: in the head, or behind it. */
+export type View = 'first' | 'third';

@@ -1,0 +1,82 @@
+/** What a key can ask for. */
+export type Action = 'forward' | 'back' | 'left' | 'right' | 'run' | 'jump';
+
+/** Per action the keys that ask for it, as `KeyboardEvent.code` names them: by place, whatever the layout. */
+export type KeyMap = Record<Action, string[]>;
+
+/** WASD and the arrows, Shift, Space. A new map each time, so that one may be changed. */
+export function defaultKeys(): KeyMap {
+  return {
+    forward: ['KeyW', 'ArrowUp'],
+    back: ['KeyS', 'ArrowDown'],
+    left: ['KeyA', 'ArrowLeft'],
+    right: ['KeyD', 'ArrowRight'],
+    run: ['ShiftLeft', 'ShiftRight'],
+    jump: ['Space'],
+  };
+}
+
+/** Inputs that take no text: they own only the keys that press them. */
+const PRESSABLE = new Set(['button', 'checkbox', 'color', 'file', 'image', 'reset', 'submit']);
+
+/**
+ * Whether the focused element needs this key itself: a text field needs all of them, a button those that press it.
+ */
+export function ownsKey(target: EventTarget | null, code: string): boolean {
+  const element = target as Partial<HTMLInputElement> | null;
+  if (!element?.tagName) return false;
+  const tag = element.tagName.toLowerCase();
+  const presses = code === 'Space' || code === 'Enter';
+  if (tag === 'button' || tag === 'a' || tag === 'summary') return presses;
+  if (tag === 'input' && PRESSABLE.has(element.type ?? 'text')) return presses;
+  return tag === 'input' || tag === 'select' || tag === 'textarea' || !!element.isContentEditable;
+}
+
+/**
+ * Which actions are being asked for. Holds no listeners of its own: `CharacterControls` hands it the events.
+ */
+export class Keyboard {
+  private readonly down = new Set<string>();
+  private readonly pressed = new Set<string>();
+
+  /** @param settings whose `keys` is read at each event, so that it may be changed or replaced */
+  constructor(private readonly settings: { keys: KeyMap }) {}
+
+  /** Takes a `keydown`. A key that is bound is swallowed, so the page does not scroll; Tab and shortcuts never are. */
+  press(event: KeyboardEvent): void {
+    if (event.code === 'Tab' || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (ownsKey(event.target, event.code) || !this.bound(event.code)) return;
+    event.preventDefault();
+    if (event.repeat) return;
+    this.down.add(event.code);
+    this.pressed.add(event.code);
+  }
+
+  /** Takes a `keyup`. macOS sends none for keys let go while Command is down, so Command lets go of all. */
+  release(event: KeyboardEvent): void {
+    if (event.key === 'Meta') this.clear();
+    this.down.delete(event.code);
+  }
+
+  /** Whether a key of `action` is down. */
+  held(action: Action): boolean {
+    return this.settings.keys[action].some((code) => this.down.has(code));
+  }
+
+  /** Whether a key of `action` went down since this was last asked, however short it was held. */
+  taken(action: Action): boolean {
+    let any = false;
+    for (const code of this.settings.keys[action]) any = this.pressed.delete(code) || any;
+    return any;
+  }
+
+  /** Lets go of every key: the page lost the focus and will not see them come up. */
+  clear(): void {
+    this.down.clear();
+    this.pressed.clear();
+  }
+
+  private bound(code: string): boolean {
+    return Object.values(this.settings.keys).some((codes) => codes.includes(code));
+  }
+}

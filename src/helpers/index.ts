@@ -1,0 +1,5 @@
+export {
+  CubeColliderHelper,
+  type CubeColliderHelperOptions,
+  type ViewableCollider,
+} from './CubeColliderHelper.js';
