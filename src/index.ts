@@ -1,7 +1,19 @@
 export { CubeCollider, type CubeColliderStats } from './collider/CubeCollider.js';
 export type { CubeColliderOptions } from './collider/CubeColliderOptions.js';
+export { CharacterController, type CharacterBody } from './character/CharacterController.js';
+export type { CharacterCollider } from './character/CharacterCollider.js';
+export type { CharacterOptions } from './character/characterOptions.js';
+export {
+  CharacterControls,
+  type CharacterControlsEventMap,
+  type CharacterControlsOptions,
+} from './controls/CharacterControls.js';
+export type { ControlledCharacter, View } from './controls/ControlledCharacter.js';
+export type { KeyMap } from './controls/Keyboard.js';
 export { AxisMaxima } from './cube/AxisMaxima.js';
 export { FACE_NAMES, type FaceName } from './cube/faces.js';
 export type { TexelFormat } from './cube/encoding.js';
 export { DEFAULTS } from './defaults.js';
 export { SurfaceField, type SurfaceSample, type SurfaceSampler } from './field/SurfaceField.js';
+export { AxisResponse, type AxisResponseOptions } from './response/AxisResponse.js';
+export type { Response } from './response/Response.js';

@@ -1,9 +1,11 @@
 import { Vector3, type Object3D } from 'three';
 import { AxisMaxima } from '../cube/AxisMaxima.js';
 import { DEFAULTS } from '../defaults.js';
+import { clipWish } from '../response/clipWish.js';
 import type { Response } from '../response/Response.js';
 import type { CharacterCollider } from './CharacterCollider.js';
-import { checkCharacterOptions, type CharacterOptions } from './characterOptions.js';
+import { checkCharacterOptions, checkVector, type CharacterOptions } from './characterOptions.js';
+import { Fall } from './Fall.js';
 import { drawnAt, surroundings, vouchedTravel, vouchesFor } from './surroundings.js';
 
 /** Most sub-steps a frame; with a 'sync' collider each of them draws. */
@@ -67,13 +69,14 @@ export class CharacterController<R = unknown, S = unknown> {
   /** The sphere's middle while it moves, world space. */
   readonly #center = new Vector3();
   readonly #start = new Vector3();
+  /** `center` before a sub-step. */
+  readonly #from = new Vector3();
   /** A sub-step's travel without falling. */
   readonly #wanted = new Vector3();
   readonly #travel = new Vector3();
   readonly #push = new Vector3();
   readonly #warned = new Set<string>();
-  /** Seconds since the ground last pushed. */
-  #airTime = Infinity;
+  readonly #fall = new Fall(this.velocity);
   #disposed = false;
 
   /**
@@ -105,14 +108,9 @@ export class CharacterController<R = unknown, S = unknown> {
     return vouchesFor(this.collider, spot, this.#radius());
   }
 
-  /**
-   * Whether the ground pushed within the last 0.1 s (`DEFAULTS.character.coyote`) and no jump has left it since.
-   *
-   * Mend: the paper's test alone flickers. Standing, the sphere sinks by g·dt²/2 a frame, which at 120 Hz and above is
-   * less than half a step of the 8-bit red; walking downhill it hovers until its fall has caught up.
-   */
+  /** Whether it stands on something, or did 0.1 s ago (`DEFAULTS.character.coyote`) and has not jumped since. */
   get grounded(): boolean {
-    return this.#airTime <= DEFAULTS.character.coyote;
+    return this.#fall.grounded;
   }
 
   /**
@@ -121,11 +119,11 @@ export class CharacterController<R = unknown, S = unknown> {
    * @throws RangeError if it is not finite, TypeError if it is no Vector3
    */
   teleport(position: Vector3): void {
-    requireVector('teleport', position);
+    checkVector('teleport', position);
     this.body.position.copy(position);
     this.position.copy(position);
     this.#rest();
-    this.#airTime = Infinity;
+    this.#fall.airTime = Infinity;
     this.collider.invalidate();
   }
 
@@ -135,7 +133,7 @@ export class CharacterController<R = unknown, S = unknown> {
    * @throws RangeError if it is not finite, TypeError if it is no Vector3
    */
   walk(velocity: Vector3): void {
-    requireVector('walk', velocity);
+    checkVector('walk', velocity);
     this.#walk.set(velocity.x, 0, velocity.z);
   }
 
@@ -146,15 +144,14 @@ export class CharacterController<R = unknown, S = unknown> {
    * @throws RangeError if it is not finite, TypeError if it is no Vector3
    */
   move(displacement: Vector3): void {
-    requireVector('move', displacement);
+    checkVector('move', displacement);
     this.#move.add(displacement);
   }
 
   /** Jumps `jumpHeight` high if `grounded`. Returns whether it did. */
   jump(): boolean {
     if (!this.grounded || !this.ready) return false;
-    this.velocity.y = Math.sqrt(2 * this.gravity * this.jumpHeight);
-    this.#airTime = Infinity;
+    this.#fall.jump(this.jumpHeight, this.gravity);
     return true;
   }
 
@@ -227,19 +224,17 @@ export class CharacterController<R = unknown, S = unknown> {
   }
 
   /**
-   * Falls and moves `center` by `wanted`, looks, gets out of what it ran into.
+   * Moves `center` by a part of the frame's fall and wish, looks, gets out of what it ran into.
    *
    * @returns what it saw last, or null if the data no longer vouch and the rest of the frame must wait
    */
   #subStep(seen: AxisMaxima, dt: number, renderer?: R, scene?: S): AxisMaxima | null {
-    // Mend of "vy = vy + G.dt; dyg = vy.dt": down is -Y, and the mean of both speeds makes a jump's arc the same at
-    // every frame rate.
-    const rising = this.velocity.y;
-    this.velocity.y = Math.max(rising - this.gravity * dt, -this.terminalSpeed);
-    this.#travel.copy(this.#wanted);
-    this.#travel.y += 0.5 * (rising + this.velocity.y) * dt;
+    const from = this.#from.copy(this.#center);
+    // Mend: the user's displacement does not push on into a wall that is already touched.
+    clipWish(seen, from, this.#travel.copy(this.#wanted));
+    this.#travel.y += this.#fall.travel(dt, this.gravity, this.terminalSpeed, seen.rMax);
     // Mend: never outrun what the cubemap vouches for; what waits also stops gathering speed.
-    const part = vouchedTravel(this.collider, seen, this.#center, this.#travel);
+    const part = vouchedTravel(this.collider, seen, from, this.#travel);
     if (part < 1) this.velocity.y *= part;
     this.#center.addScaledVector(this.#travel, part);
 
@@ -249,7 +244,7 @@ export class CharacterController<R = unknown, S = unknown> {
         this.#warn(
           'the collider did not draw at the character (disposed, context lost, or under a moved parent?); holding still.',
         );
-        this.#center.addScaledVector(this.#travel, -part);
+        this.#center.copy(from);
         this.#rest();
         return null;
       }
@@ -261,18 +256,13 @@ export class CharacterController<R = unknown, S = unknown> {
     return now;
   }
 
-  /** Pushes `center` out and finds ground and ceiling. */
   #respond(seen: AxisMaxima, dt: number): void {
     this.response.respond(seen, this.#center, this.#push);
     this.#center.add(this.#push);
-    this.#airTime += dt;
-    if (this.#push.y > 0 && this.velocity.y <= 0) {
-      // Mend of "if (dy<0)": pushed up is on the ground, unless it is still rising from it.
-      this.velocity.y = 0;
-      this.#airTime = 0;
-    } else if (this.#push.y < 0 && this.velocity.y > 0) {
-      // Mend: a ceiling ends a jump.
-      this.velocity.y = 0;
+    this.#fall.touch(this.#push.y, this.#from, this.#center, dt);
+    const dy = this.#center.y - this.#from.y;
+    if (this.#wanted.lengthSq() === 0 && this.#fall.isRounding(dy, seen)) {
+      this.#center.y = this.#from.y;
     }
   }
 
@@ -320,23 +310,6 @@ export class CharacterController<R = unknown, S = unknown> {
     this.#warned.add(message);
     console.warn(`CharacterController: ${message}`);
   }
-}
-
-/** A vector by its numbers: another copy of three will do. */
-function requireVector(method: string, vector: Vector3): void {
-  if (Number.isFinite(vector?.x + vector?.y + vector?.z)) return;
-  if (
-    typeof vector?.x !== 'number' ||
-    typeof vector.y !== 'number' ||
-    typeof vector.z !== 'number'
-  ) {
-    throw new TypeError(
-      `CharacterController: ${method}() needs a Vector3 (got ${String(vector)}).`,
-    );
-  }
-  throw new RangeError(
-    `CharacterController: ${method}() needs finite numbers (got ${vector.x}, ${vector.y}, ${vector.z}).`,
-  );
 }
 
 /** Scratch of `ready`. */

@@ -1,4 +1,4 @@
-import type { Object3D } from 'three';
+import type { Object3D, Vector3 } from 'three';
 import { DEFAULTS } from '../defaults.js';
 import { AxisResponse } from '../response/AxisResponse.js';
 import type { Response } from '../response/Response.js';
@@ -44,7 +44,9 @@ export function checkCharacterOptions({
   check('terminalSpeed', terminalSpeed, terminalSpeed > 0, 'must be above 0');
   check('jumpHeight', jumpHeight, jumpHeight >= 0, 'must be 0 or more');
   if (typeof response?.respond !== 'function') {
-    throw new TypeError('CharacterController: "response" must have a respond(maxima, center, target).');
+    throw new TypeError(
+      'CharacterController: "response" must have a respond(maxima, center, target).',
+    );
   }
   if (avatar !== null && !avatar.isObject3D) {
     throw new TypeError('CharacterController: "avatar" must be an Object3D.');
@@ -56,4 +58,25 @@ function check(name: string, value: number, holds: boolean, wanted: string): voi
   if (!holds || !Number.isFinite(value)) {
     throw new RangeError(`CharacterController: "${name}" ${wanted} (got ${value}).`);
   }
+}
+
+/**
+ * Checks a vector by its numbers: one of another copy of three will do. Allocates nothing if it is well.
+ *
+ * @throws TypeError if it is no vector, RangeError if it is not finite
+ */
+export function checkVector(method: string, vector: Vector3): void {
+  if (Number.isFinite(vector?.x + vector?.y + vector?.z)) return;
+  if (
+    typeof vector?.x !== 'number' ||
+    typeof vector.y !== 'number' ||
+    typeof vector.z !== 'number'
+  ) {
+    throw new TypeError(
+      `CharacterController: ${method}() needs a Vector3 (got ${String(vector)}).`,
+    );
+  }
+  throw new RangeError(
+    `CharacterController: ${method}() needs finite numbers (got ${vector.x}, ${vector.y}, ${vector.z}).`,
+  );
 }

@@ -11,6 +11,7 @@ import {
 } from 'three';
 import { ATLAS_COLUMNS } from '../cube/atlas.js';
 import type { AxisMaxima } from '../cube/AxisMaxima.js';
+import { PrivateScene } from './PrivateScene.js';
 import { createTexelTarget } from './texelTarget.js';
 
 const vertexShader = /* glsl */ `
@@ -77,6 +78,7 @@ export class AxisPass {
   readonly #rowsMaterial: ShaderMaterial;
   readonly #columnsMaterial: ShaderMaterial;
   readonly #triangle: Mesh<BufferGeometry, ShaderMaterial>;
+  readonly #scene = new PrivateScene();
   readonly #camera = new Camera();
   readonly #resolution: number;
 
@@ -93,24 +95,24 @@ export class AxisPass {
     );
     this.#triangle = new Mesh(geometry, this.#rowsMaterial);
     this.#triangle.frustumCulled = false;
-    this.#triangle.matrixAutoUpdate = false;
+    this.#scene.add(this.#triangle);
   }
 
   /** Runs both passes; leaves `result` the current target, ready to be read. */
   reduce(renderer: WebGLRenderer): void {
     this.#triangle.material = this.#rowsMaterial;
     renderer.setRenderTarget(this.#rows);
-    renderer.render(this.#triangle, this.#camera);
+    renderer.render(this.#scene, this.#camera);
     this.#triangle.material = this.#columnsMaterial;
     renderer.setRenderTarget(this.result);
-    renderer.render(this.#triangle, this.#camera);
+    renderer.render(this.#scene, this.#camera);
   }
 
   /** Programs ready before the first frame. */
   compile(renderer: WebGLRenderer): void {
     for (const material of [this.#rowsMaterial, this.#columnsMaterial]) {
       this.#triangle.material = material;
-      renderer.compile(this.#triangle, this.#camera);
+      renderer.compile(this.#scene, this.#camera);
     }
   }
 

@@ -1,4 +1,4 @@
-import { Object3D, Scene, Vector3, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import { Object3D, Vector3, type WebGLRenderer, type WebGLRenderTarget } from 'three';
 import { atlasSize } from '../cube/atlas.js';
 import { AxisMaxima } from '../cube/AxisMaxima.js';
 import { decodeSurface, type TexelFormat } from '../cube/encoding.js';
@@ -14,9 +14,10 @@ import {
 import { FaceCameras } from './FaceCameras.js';
 import { type DrawStamp, ReadbackRing } from './ReadbackRing.js';
 import { type ReadbackClient, ReadbackScheduler } from './ReadbackScheduler.js';
+import { PrivateScene } from './PrivateScene.js';
 import { RendererState } from './RendererState.js';
 import { Selection } from './Selection.js';
-import { bestTexelFormat, createTexelTarget } from './texelTarget.js';
+import { bestTexelFormat, clearTexels, createTexelTarget } from './texelTarget.js';
 
 /** What a collider has done so far. */
 export interface CubeColliderStats {
@@ -97,7 +98,7 @@ export class CubeCollider extends Object3D implements ReadbackClient {
   readonly #excluded = new Set<Object3D>();
   readonly #selection = new Selection();
   readonly #state = new RendererState();
-  readonly #scene = new Scene();
+  readonly #scene = new PrivateScene();
   readonly #fields: SurfaceField[] = [];
   readonly #axisMaxima: AxisMaxima;
   readonly #warned = new Set<string>();
@@ -133,8 +134,6 @@ export class CubeCollider extends Object3D implements ReadbackClient {
         this.#fields.push(new SurfaceField(settings.resolution, settings.far, directions));
       }
     }
-    this.#scene.matrixAutoUpdate = this.#scene.matrixWorldAutoUpdate = false;
-    this.#scene.layers.enableAll();
     this.#dress = (source: Parameters<CollisionMaterials['for']>[0]) =>
       this.#gpu!.materials.for(source);
   }
@@ -290,7 +289,7 @@ export class CubeCollider extends Object3D implements ReadbackClient {
     this.#state.enter(renderer);
     try {
       const before = renderer.info.render.calls;
-      renderer.setRenderTarget(gpu.atlas);
+      clearTexels(renderer, gpu.atlas);
       renderer.render(this.#scene, gpu.cameras);
       this.stats.drawCalls = renderer.info.render.calls - before;
       gpu.axis?.reduce(renderer);

@@ -1,20 +1,23 @@
-import { Color, type RenderTarget, type WebGLRenderer } from 'three';
+import { type RenderTarget, Vector4, type WebGLRenderer } from 'three';
+
+const current = new Vector4();
 
 /**
- * What a draw of ours changes on the user's renderer, taken before and put back after. Viewport, scissor, tone mapping
- * and colour space need nothing: three restores them with the render target or ignores them for one.
+ * What a draw of ours changes on the user's renderer, taken before and put back after.
+ *
+ * Tone mapping and colour space need nothing: three ignores them for a render target. The clear colour is never
+ * touched (`PrivateScene`, `clearTexels`). Viewport and scissor come back with the canvas; only where the user has a
+ * target of his own bound may they differ from that target's, and are kept here. Nothing here waits for the GPU.
  */
 export class RendererState {
   #target: RenderTarget | null = null;
   #face = 0;
   #mip = 0;
+  readonly #viewport = new Vector4();
+  readonly #scissor = new Vector4();
+  #scissorTest = false;
   #xr = false;
-  readonly #clearColor = new Color();
-  #clearAlpha = 0;
   #autoClear = true;
-  #autoClearColor = true;
-  #autoClearDepth = true;
-  #autoClearStencil = true;
   #sortObjects = true;
   #infoAutoReset = true;
   #calls = 0;
@@ -22,18 +25,19 @@ export class RendererState {
   #points = 0;
   #lines = 0;
 
-  /** Takes the state and sets ours: black, transparent, cleared, unsorted, no XR, counters held. */
+  /** Takes the state and sets ours: no automatic clear, no sorting, no XR, counters held. */
   enter(renderer: WebGLRenderer): void {
     this.#target = renderer.getRenderTarget();
     this.#face = renderer.getActiveCubeFace();
     this.#mip = renderer.getActiveMipmapLevel();
+    if (this.#target !== null) {
+      renderer.getCurrentViewport(this.#viewport);
+      const gl = renderer.getContext();
+      this.#scissorTest = gl.isEnabled(gl.SCISSOR_TEST);
+      if (this.#scissorTest) this.#scissor.fromArray(gl.getParameter(gl.SCISSOR_BOX) as Int32Array);
+    }
     this.#xr = renderer.xr.enabled;
-    renderer.getClearColor(this.#clearColor);
-    this.#clearAlpha = renderer.getClearAlpha();
     this.#autoClear = renderer.autoClear;
-    this.#autoClearColor = renderer.autoClearColor;
-    this.#autoClearDepth = renderer.autoClearDepth;
-    this.#autoClearStencil = renderer.autoClearStencil;
     this.#sortObjects = renderer.sortObjects;
     const { info } = renderer;
     this.#infoAutoReset = info.autoReset;
@@ -43,11 +47,7 @@ export class RendererState {
     this.#lines = info.render.lines;
 
     renderer.xr.enabled = false;
-    renderer.setClearColor(0x000000, 0);
-    renderer.autoClear = true;
-    renderer.autoClearColor = true;
-    renderer.autoClearDepth = true;
-    renderer.autoClearStencil = true;
+    renderer.autoClear = false;
     renderer.sortObjects = false;
     info.autoReset = false;
   }
@@ -62,13 +62,18 @@ export class RendererState {
     info.render.lines = this.#lines;
     renderer.sortObjects = this.#sortObjects;
     renderer.autoClear = this.#autoClear;
-    renderer.autoClearColor = this.#autoClearColor;
-    renderer.autoClearDepth = this.#autoClearDepth;
-    renderer.autoClearStencil = this.#autoClearStencil;
-    renderer.setClearColor(this.#clearColor, this.#clearAlpha);
     renderer.xr.enabled = this.#xr;
-    // Last: it reloads the target's viewport and scissor.
     renderer.setRenderTarget(this.#target as never, this.#face, this.#mip);
+    if (this.#target === null) return;
+    if (!renderer.getCurrentViewport(current).equals(this.#viewport)) {
+      // The user called setViewport with his target bound: once more makes it current again.
+      renderer.setViewport(renderer.getViewport(current));
+      renderer.state.viewport(this.#viewport);
+    }
+    if (this.#scissorTest) {
+      renderer.state.scissor(this.#scissor);
+      renderer.state.setScissorTest(true);
+    }
     this.#target = null;
   }
 }

@@ -5,6 +5,7 @@ import {
   RGBAFormat,
   type TextureDataType,
   UnsignedByteType,
+  type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
 import { TEXEL_FORMATS, type TexelFormat } from '../cube/encoding.js';
@@ -32,6 +33,21 @@ export function createTexelTarget(
     stencilBuffer: false,
     samples: 0,
   });
+}
+
+const ZERO = new Float32Array(4);
+const depthValue = new Float32Array(1);
+
+/** Makes `target` current and clears it to zeros and farthest depth, without touching the context's clear values. */
+export function clearTexels(renderer: WebGLRenderer, target: WebGLRenderTarget): void {
+  renderer.setRenderTarget(target);
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  const { color, depth } = renderer.state.buffers;
+  color.setMask(true);
+  depth.setMask(true);
+  depthValue[0] = depth.getReversed() ? 0 : 1;
+  gl.clearBufferfv(gl.COLOR, 0, ZERO);
+  gl.clearBufferfv(gl.DEPTH, 0, depthValue);
 }
 
 /**

@@ -30,12 +30,12 @@ export class CameraRig {
   smoothing = 1;
 
   /** Length of the boom now, metres; 0 in the head, NaN before the first frame, which does not glide. */
-  private boom = NaN;
+  #boom = NaN;
   /** What is left to climb of the steps walked, metres. */
-  private lag = 0;
-  private lastY = NaN;
-  private lastGrounded = false;
-  private facing = NaN;
+  #lag = 0;
+  #lastY = NaN;
+  #lastGrounded = false;
+  #facing = NaN;
 
   /**
    * Places the camera.
@@ -54,19 +54,19 @@ export class CameraRig {
     delta: number,
   ): void {
     const foot = character.position;
-    this.climb(foot.y, character.grounded, delta);
-    this.boom = Number.isNaN(this.boom) ? boom : this.boom;
-    this.boom += (boom - this.boom) * catchUp(BOOM_RATE * this.smoothing, delta);
-    if (Math.abs(boom - this.boom) < 1e-3) this.boom = boom;
+    this.#climb(foot.y, character.grounded, delta);
+    this.#boom = Number.isNaN(this.#boom) ? boom : this.#boom;
+    this.#boom += (boom - this.#boom) * catchUp(BOOM_RATE * this.smoothing, delta);
+    if (Math.abs(boom - this.#boom) < 1e-3) this.#boom = boom;
 
     camera.position.copy(foot);
-    camera.position.y += eyeHeight + this.lag;
-    if (this.boom > 0) {
+    camera.position.y += eyeHeight + this.#lag;
+    if (this.#boom > 0) {
       // Looking up would swing the boom into the ground: it stops there and only the camera tilts on.
-      const drop = Math.max(eyeHeight - GROUND_CLEARANCE, 0) / this.boom;
+      const drop = Math.max(eyeHeight - GROUND_CLEARANCE, 0) / this.#boom;
       const lowest = drop < 1 ? Math.asin(drop) : 0.5;
       _euler.set(Math.min(pitch - BOOM_LIFT, lowest), yaw, 0);
-      camera.position.addScaledVector(_boom.set(0, 0, 1).applyEuler(_euler), this.boom);
+      camera.position.addScaledVector(_boom.set(0, 0, 1).applyEuler(_euler), this.#boom);
     }
     camera.quaternion.setFromEuler(_euler.set(pitch, yaw, 0));
   }
@@ -83,26 +83,26 @@ export class CameraRig {
     yaw: number,
     delta: number,
   ): void {
-    avatar.visible = this.boom > AVATAR_NEAR;
+    avatar.visible = this.#boom > AVATAR_NEAR;
     avatar.position.copy(character.position);
-    avatar.position.y += this.lag;
-    if (Number.isNaN(this.facing)) this.facing = yaw + Math.PI;
+    avatar.position.y += this.#lag;
+    if (Number.isNaN(this.#facing)) this.#facing = yaw + Math.PI;
     if (heading.x !== 0 || heading.z !== 0) {
-      const turn = Math.atan2(heading.x, heading.z) - this.facing;
+      const turn = Math.atan2(heading.x, heading.z) - this.#facing;
       const shortest = turn - 2 * Math.PI * Math.round(turn / (2 * Math.PI));
-      this.facing += shortest * catchUp(TURN_RATE * this.smoothing, delta);
+      this.#facing += shortest * catchUp(TURN_RATE * this.smoothing, delta);
     }
-    avatar.rotation.set(0, this.facing, 0);
+    avatar.rotation.set(0, this.#facing, 0);
   }
 
   /** A step is climbed at once by the body; the eye takes a moment. Falls and jumps are not smoothed: they would lag. */
-  private climb(y: number, grounded: boolean, delta: number): void {
-    const rise = y - this.lastY;
-    if (grounded && this.lastGrounded && Math.abs(rise) < LARGEST_STEP) this.lag -= rise;
-    else if (!(Math.abs(rise) < LARGEST_STEP)) this.lag = 0;
-    this.lag -= this.lag * catchUp(STEP_RATE * this.smoothing, delta);
-    this.lag = Math.max(-LARGEST_STEP, Math.min(LARGEST_STEP, this.lag));
-    this.lastY = y;
-    this.lastGrounded = grounded;
+  #climb(y: number, grounded: boolean, delta: number): void {
+    const rise = y - this.#lastY;
+    if (grounded && this.#lastGrounded && Math.abs(rise) < LARGEST_STEP) this.#lag -= rise;
+    else if (!(Math.abs(rise) < LARGEST_STEP)) this.#lag = 0;
+    this.#lag -= this.#lag * catchUp(STEP_RATE * this.smoothing, delta);
+    this.#lag = Math.max(-LARGEST_STEP, Math.min(LARGEST_STEP, this.#lag));
+    this.#lastY = y;
+    this.#lastGrounded = grounded;
   }
 }

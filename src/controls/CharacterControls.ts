@@ -100,16 +100,16 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
   /** Tilt of the view, radians, up positive. Read from the camera at first. */
   pitch = 0;
 
-  private readonly keyboard = new Keyboard(this);
-  private readonly pointer = new PointerLook(this, {
-    look: (dx, dy) => this.turn(dx, dy),
-    zoom: (pixels) => this.zoom(pixels),
-    locked: (locked) => this.onLocked(locked),
+  readonly #keyboard = new Keyboard(this);
+  readonly #pointer = new PointerLook(this, {
+    look: (dx, dy) => this.#turn(dx, dy),
+    zoom: (pixels) => this.#zoom(pixels),
+    locked: (locked) => this.#onLocked(locked),
   });
-  private readonly rig = new CameraRig();
-  private readonly velocity = new Vector3();
-  private currentView: View = DEFAULTS.controls.view;
-  private walking = false;
+  readonly #rig = new CameraRig();
+  readonly #velocity = new Vector3();
+  #currentView: View = DEFAULTS.controls.view;
+  #walking = false;
 
   /**
    * @param character what to walk
@@ -143,7 +143,7 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
 
   /** In the head or behind it; may be switched at any time. @default 'first' */
   get view(): View {
-    return this.currentView;
+    return this.#currentView;
   }
 
   set view(view: View) {
@@ -152,35 +152,35 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
         `CharacterControls: "view" must be 'first' or 'third' (got ${String(view)}).`,
       );
     }
-    if (view === this.currentView) return;
-    this.currentView = view;
+    if (view === this.#currentView) return;
+    this.#currentView = view;
     this.dispatchEvent({ type: 'change', view });
   }
 
   /** Whether the pointer is captured. */
   get isLocked(): boolean {
-    return this.pointer.isLocked;
+    return this.#pointer.isLocked;
   }
 
   /** Listens to `element` and, for keys, to its document. */
   override connect(element: HTMLElement): void {
     super.connect(element);
     const document = element.ownerDocument;
-    document.addEventListener('keydown', this.onKeyDown);
-    document.addEventListener('keyup', this.onKeyUp);
-    document.addEventListener('visibilitychange', this.letGo);
-    document.defaultView?.addEventListener('blur', this.letGo);
-    this.pointer.connect(element);
+    document.addEventListener('keydown', this.#onKeyDown);
+    document.addEventListener('keyup', this.#onKeyUp);
+    document.addEventListener('visibilitychange', this.#letGo);
+    document.defaultView?.addEventListener('blur', this.#letGo);
+    this.#pointer.connect(element);
   }
 
   override disconnect(): void {
     const document = this.domElement?.ownerDocument;
-    document?.removeEventListener('keydown', this.onKeyDown);
-    document?.removeEventListener('keyup', this.onKeyUp);
-    document?.removeEventListener('visibilitychange', this.letGo);
-    document?.defaultView?.removeEventListener('blur', this.letGo);
-    this.pointer.disconnect();
-    this.keyboard.clear();
+    document?.removeEventListener('keydown', this.#onKeyDown);
+    document?.removeEventListener('keyup', this.#onKeyUp);
+    document?.removeEventListener('visibilitychange', this.#letGo);
+    document?.defaultView?.removeEventListener('blur', this.#letGo);
+    this.#pointer.disconnect();
+    this.#keyboard.clear();
   }
 
   override dispose(): void {
@@ -189,12 +189,12 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
 
   /** Captures the pointer; call it from a user's gesture. A refusal is no error: dragging looks then. */
   lock(): Promise<void> {
-    return this.pointer.lock();
+    return this.#pointer.lock();
   }
 
   /** Lets the pointer go. */
   unlock(): void {
-    this.pointer.unlock();
+    this.#pointer.unlock();
   }
 
   /**
@@ -204,23 +204,23 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
    */
   override update(delta: number): void {
     if (!this.enabled || !(delta >= 0)) {
-      this.stop();
+      this.#stop();
       return;
     }
-    const right = Number(this.keyboard.held('right')) - Number(this.keyboard.held('left'));
-    const back = Number(this.keyboard.held('back')) - Number(this.keyboard.held('forward'));
-    const speed = this.keyboard.held('run') ? this.runSpeed : this.walkSpeed;
+    const right = Number(this.#keyboard.held('right')) - Number(this.#keyboard.held('left'));
+    const back = Number(this.#keyboard.held('back')) - Number(this.#keyboard.held('forward'));
+    const speed = this.#keyboard.held('run') ? this.runSpeed : this.walkSpeed;
     const idle = right === 0 && back === 0;
     _wish.set(right, 0, back).normalize().multiplyScalar(speed);
     _wish.applyEuler(_euler.set(0, this.yaw, 0));
 
-    this.velocity.lerp(_wish, catchUp(this.agility, delta));
-    if (idle && this.velocity.lengthSq() < STANDSTILL * STANDSTILL) this.velocity.set(0, 0, 0);
+    this.#velocity.lerp(_wish, catchUp(this.agility, delta));
+    if (idle && this.#velocity.lengthSq() < STANDSTILL * STANDSTILL) this.#velocity.set(0, 0, 0);
     // Someone else may walk the character while no key is held: told once to stop, it is left alone.
-    const walks = !idle || this.velocity.lengthSq() > 0;
-    if (walks || this.walking) this.character.walk(this.velocity);
-    this.walking = walks;
-    if (this.keyboard.taken('jump')) this.character.jump();
+    const walks = !idle || this.#velocity.lengthSq() > 0;
+    if (walks || this.#walking) this.character.walk(this.#velocity);
+    this.#walking = walks;
+    if (this.#keyboard.taken('jump')) this.character.jump();
   }
 
   /**
@@ -230,20 +230,21 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
    */
   follow(delta: number): void {
     if (!(delta >= 0)) return;
-    const { rig, character } = this;
+    const rig = this.#rig;
+    const { character } = this;
     rig.smoothing = this.smoothing;
     const boom = this.view === 'third' ? this.distance : 0;
     rig.place(this.object, character, boom, this.eyeHeight, this.yaw, this.pitch, delta);
-    if (character.avatar) rig.pose(character.avatar, character, this.velocity, this.yaw, delta);
+    if (character.avatar) rig.pose(character.avatar, character, this.#velocity, this.yaw, delta);
   }
 
-  private turn(dx: number, dy: number): void {
+  #turn(dx: number, dy: number): void {
     this.yaw -= dx * this.sensitivity;
     this.pitch -= dy * this.sensitivity;
     this.pitch = Math.max(-this.maxPitch, Math.min(this.maxPitch, this.pitch));
   }
 
-  private zoom(pixels: number): boolean {
+  #zoom(pixels: number): boolean {
     if (this.view !== 'third') return false;
     const distance = this.distance * Math.exp(pixels * ZOOM_RATE);
     this.distance = Math.max(this.minDistance, Math.min(this.maxDistance, distance));
@@ -251,23 +252,23 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
   }
 
   /** Stands still, once: a character that others walk is left alone. */
-  private stop(): void {
-    this.keyboard.clear();
-    this.velocity.set(0, 0, 0);
-    if (this.walking) this.character.walk(this.velocity);
-    this.walking = false;
+  #stop(): void {
+    this.#keyboard.clear();
+    this.#velocity.set(0, 0, 0);
+    if (this.#walking) this.character.walk(this.#velocity);
+    this.#walking = false;
   }
 
-  private onLocked(locked: boolean): void {
-    if (!locked) this.keyboard.clear();
+  #onLocked(locked: boolean): void {
+    if (!locked) this.#keyboard.clear();
     this.dispatchEvent({ type: locked ? 'lock' : 'unlock' });
   }
 
-  private readonly onKeyDown = (event: KeyboardEvent): void => {
-    if (this.enabled) this.keyboard.press(event);
+  readonly #onKeyDown = (event: KeyboardEvent): void => {
+    if (this.enabled) this.#keyboard.press(event);
   };
 
-  private readonly onKeyUp = (event: KeyboardEvent): void => this.keyboard.release(event);
+  readonly #onKeyUp = (event: KeyboardEvent): void => this.#keyboard.release(event);
 
-  private readonly letGo = (): void => this.keyboard.clear();
+  readonly #letGo = (): void => this.#keyboard.clear();
 }

@@ -36,47 +36,51 @@ export function ownsKey(target: EventTarget | null, code: string): boolean {
  * Which actions are being asked for. Holds no listeners of its own: `CharacterControls` hands it the events.
  */
 export class Keyboard {
-  private readonly down = new Set<string>();
-  private readonly pressed = new Set<string>();
+  readonly #down = new Set<string>();
+  readonly #pressed = new Set<string>();
+
+  readonly #settings: { keys: KeyMap };
 
   /** @param settings whose `keys` is read at each event, so that it may be changed or replaced */
-  constructor(private readonly settings: { keys: KeyMap }) {}
+  constructor(settings: { keys: KeyMap }) {
+    this.#settings = settings;
+  }
 
   /** Takes a `keydown`. A key that is bound is swallowed, so the page does not scroll; Tab and shortcuts never are. */
   press(event: KeyboardEvent): void {
     if (event.code === 'Tab' || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (ownsKey(event.target, event.code) || !this.bound(event.code)) return;
+    if (ownsKey(event.target, event.code) || !this.#bound(event.code)) return;
     event.preventDefault();
     if (event.repeat) return;
-    this.down.add(event.code);
-    this.pressed.add(event.code);
+    this.#down.add(event.code);
+    this.#pressed.add(event.code);
   }
 
   /** Takes a `keyup`. macOS sends none for keys let go while Command is down, so Command lets go of all. */
   release(event: KeyboardEvent): void {
     if (event.key === 'Meta') this.clear();
-    this.down.delete(event.code);
+    this.#down.delete(event.code);
   }
 
   /** Whether a key of `action` is down. */
   held(action: Action): boolean {
-    return this.settings.keys[action].some((code) => this.down.has(code));
+    return this.#settings.keys[action].some((code) => this.#down.has(code));
   }
 
   /** Whether a key of `action` went down since this was last asked, however short it was held. */
   taken(action: Action): boolean {
     let any = false;
-    for (const code of this.settings.keys[action]) any = this.pressed.delete(code) || any;
+    for (const code of this.#settings.keys[action]) any = this.#pressed.delete(code) || any;
     return any;
   }
 
   /** Lets go of every key: the page lost the focus and will not see them come up. */
   clear(): void {
-    this.down.clear();
-    this.pressed.clear();
+    this.#down.clear();
+    this.#pressed.clear();
   }
 
-  private bound(code: string): boolean {
-    return Object.values(this.settings.keys).some((codes) => codes.includes(code));
+  #bound(code: string): boolean {
+    return Object.values(this.#settings.keys).some((codes) => codes.includes(code));
   }
 }

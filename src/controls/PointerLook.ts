@@ -31,52 +31,55 @@ export class PointerLook {
   /** Whether the pointer is captured. */
   isLocked = false;
 
-  private element: HTMLElement | null = null;
-  private travel = 0;
-  private lastX = 0;
-  private lastY = 0;
-  private dragging = -1;
-  private touched = false;
+  #element: HTMLElement | null = null;
+  #travel = 0;
+  #lastX = 0;
+  #lastY = 0;
+  #dragging = -1;
+  #touched = false;
 
-  constructor(
-    private readonly settings: PointerLookSettings,
-    private readonly listener: PointerLookListener,
-  ) {}
+  readonly #settings: PointerLookSettings;
+  readonly #listener: PointerLookListener;
+
+  constructor(settings: PointerLookSettings, listener: PointerLookListener) {
+    this.#settings = settings;
+    this.#listener = listener;
+  }
 
   connect(element: HTMLElement): void {
-    this.element = element;
+    this.#element = element;
     const document = element.ownerDocument;
-    element.addEventListener('pointerdown', this.onPointerDown);
-    element.addEventListener('pointermove', this.onPointerMove);
-    element.addEventListener('pointerup', this.onPointerUp);
-    element.addEventListener('pointercancel', this.onPointerUp);
-    element.addEventListener('click', this.onClick);
-    element.addEventListener('wheel', this.onWheel, { passive: false });
-    document.addEventListener('pointerlockchange', this.onLockChange);
+    element.addEventListener('pointerdown', this.#onPointerDown);
+    element.addEventListener('pointermove', this.#onPointerMove);
+    element.addEventListener('pointerup', this.#onPointerUp);
+    element.addEventListener('pointercancel', this.#onPointerUp);
+    element.addEventListener('click', this.#onClick);
+    element.addEventListener('wheel', this.#onWheel, { passive: false });
+    document.addEventListener('pointerlockchange', this.#onLockChange);
   }
 
   disconnect(): void {
-    const element = this.element;
+    const element = this.#element;
     if (element === null) return;
     this.unlock();
-    element.removeEventListener('pointerdown', this.onPointerDown);
-    element.removeEventListener('pointermove', this.onPointerMove);
-    element.removeEventListener('pointerup', this.onPointerUp);
-    element.removeEventListener('pointercancel', this.onPointerUp);
-    element.removeEventListener('click', this.onClick);
-    element.removeEventListener('wheel', this.onWheel);
-    element.ownerDocument.removeEventListener('pointerlockchange', this.onLockChange);
+    element.removeEventListener('pointerdown', this.#onPointerDown);
+    element.removeEventListener('pointermove', this.#onPointerMove);
+    element.removeEventListener('pointerup', this.#onPointerUp);
+    element.removeEventListener('pointercancel', this.#onPointerUp);
+    element.removeEventListener('click', this.#onClick);
+    element.removeEventListener('wheel', this.#onWheel);
+    element.ownerDocument.removeEventListener('pointerlockchange', this.#onLockChange);
     if (this.isLocked) {
       this.isLocked = false;
-      this.listener.locked(false);
+      this.#listener.locked(false);
     }
-    this.element = null;
-    this.dragging = -1;
+    this.#element = null;
+    this.#dragging = -1;
   }
 
   /** Asks for the pointer. A refusal is no error: dragging looks then. Must come from a user's gesture. */
-  async lock(unadjustedMovement = this.settings.unadjustedMovement): Promise<void> {
-    const element = this.element;
+  async lock(unadjustedMovement = this.#settings.unadjustedMovement): Promise<void> {
+    const element = this.#element;
     if (element === null || this.isLocked || typeof element.requestPointerLock !== 'function')
       return;
     try {
@@ -90,60 +93,61 @@ export class PointerLook {
 
   /** Lets the pointer go. */
   unlock(): void {
-    const document = this.element?.ownerDocument;
-    if (this.isLocked && document?.pointerLockElement === this.element) document?.exitPointerLock();
+    const document = this.#element?.ownerDocument;
+    if (this.isLocked && document?.pointerLockElement === this.#element)
+      document?.exitPointerLock();
   }
 
-  private readonly onPointerDown = (event: PointerEvent): void => {
-    this.touched = event.pointerType === 'touch';
-    this.travel = 0;
-    if (!this.settings.enabled || this.isLocked || this.dragging !== -1) return;
-    this.dragging = event.pointerId;
-    this.lastX = event.clientX;
-    this.lastY = event.clientY;
+  readonly #onPointerDown = (event: PointerEvent): void => {
+    this.#touched = event.pointerType === 'touch';
+    this.#travel = 0;
+    if (!this.#settings.enabled || this.isLocked || this.#dragging !== -1) return;
+    this.#dragging = event.pointerId;
+    this.#lastX = event.clientX;
+    this.#lastY = event.clientY;
     try {
       // So that a drag that ends outside the window ends.
-      this.element?.setPointerCapture?.(event.pointerId);
+      this.#element?.setPointerCapture?.(event.pointerId);
     } catch {
       // The pointer is gone already.
     }
   };
 
-  private readonly onPointerMove = (event: PointerEvent): void => {
-    if (!this.settings.enabled) return;
+  readonly #onPointerMove = (event: PointerEvent): void => {
+    if (!this.#settings.enabled) return;
     if (this.isLocked) {
-      this.listener.look(event.movementX, event.movementY);
-    } else if (this.dragging === event.pointerId) {
+      this.#listener.look(event.movementX, event.movementY);
+    } else if (this.#dragging === event.pointerId) {
       // Not `movementX`: not every browser counts it for a finger.
-      const dx = event.clientX - this.lastX;
-      const dy = event.clientY - this.lastY;
-      this.lastX = event.clientX;
-      this.lastY = event.clientY;
-      this.travel += Math.abs(dx) + Math.abs(dy);
-      this.listener.look(dx, dy);
+      const dx = event.clientX - this.#lastX;
+      const dy = event.clientY - this.#lastY;
+      this.#lastX = event.clientX;
+      this.#lastY = event.clientY;
+      this.#travel += Math.abs(dx) + Math.abs(dy);
+      this.#listener.look(dx, dy);
     }
   };
 
-  private readonly onPointerUp = (event: PointerEvent): void => {
-    if (this.dragging === event.pointerId) this.dragging = -1;
+  readonly #onPointerUp = (event: PointerEvent): void => {
+    if (this.#dragging === event.pointerId) this.#dragging = -1;
   };
 
-  private readonly onClick = (): void => {
-    if (!this.settings.enabled || !this.settings.pointerLock || this.touched) return;
-    if (this.travel <= CLICK_TRAVEL) void this.lock();
+  readonly #onClick = (): void => {
+    if (!this.#settings.enabled || !this.#settings.pointerLock || this.#touched) return;
+    if (this.#travel <= CLICK_TRAVEL) void this.lock();
   };
 
-  private readonly onWheel = (event: WheelEvent): void => {
-    if (!this.settings.enabled || event.ctrlKey) return;
+  readonly #onWheel = (event: WheelEvent): void => {
+    if (!this.#settings.enabled || event.ctrlKey) return;
     const pixels = event.deltaY * (WHEEL_UNIT[event.deltaMode] ?? 1);
-    if (this.listener.zoom(pixels)) event.preventDefault();
+    if (this.#listener.zoom(pixels)) event.preventDefault();
   };
 
-  private readonly onLockChange = (): void => {
-    const locked = this.element?.ownerDocument.pointerLockElement === this.element;
+  readonly #onLockChange = (): void => {
+    const locked = this.#element?.ownerDocument.pointerLockElement === this.#element;
     if (locked === this.isLocked) return;
     this.isLocked = locked;
-    this.dragging = -1;
-    this.listener.locked(locked);
+    this.#dragging = -1;
+    this.#listener.locked(locked);
   };
 }

@@ -1,5 +1,5 @@
 /** Steps of the red channel: 8 bits, as in the paper. */
-export const RED_STEPS = 255;
+const RED_STEPS = 255;
 
 /**
  * Equation (10): 1 at `rMin` from the centre, 0 at `rMax`; clamped to 0..1 as the colour buffer does, so what is nearer
@@ -14,6 +14,11 @@ export const RED_STEPS = 255;
  */
 export function redOf(distance: number, rMin: number, rMax: number): number {
   return Math.min(1, Math.max(0, 1 - (distance - rMin) / (rMax - rMin)));
+}
+
+/** Metres between two neighbouring values of the 8-bit red. */
+export function redStep(rMin: number, rMax: number): number {
+  return (rMax - rMin) / RED_STEPS;
 }
 
 /**

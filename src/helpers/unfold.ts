@@ -37,8 +37,9 @@ export interface Layout {
 
 /** @param width of the whole picture, CSS pixels */
 export function layOut(width: number): Layout {
-  const padding = Math.round(width * 0.045);
-  const cell = (width - 2 * padding) / UNFOLDED_COLUMNS;
+  // Whole pixels, so that frames lie on the edges of faces.
+  const cell = Math.floor((0.92 * width) / UNFOLDED_COLUMNS);
+  const padding = (width - UNFOLDED_COLUMNS * cell) / 2;
   const height = 2 * padding + UNFOLDED_ROWS * cell;
   // Bottom right, where the cross leaves two cells empty.
   const left = padding + 2 * cell + 0.24 * cell;

@@ -62,7 +62,7 @@ float boxDistance( vec2 p, float radius ) {
 
 void main() {
   vec2 p = vUv * size;
-  vec4 color = vec4( PANEL, 0.78 );
+  vec4 color = vec4( PANEL, 0.84 );
   float pixel = fwidth( p.x );
 
   vec2 place = ( p - padding ) / cell;
