@@ -96,7 +96,8 @@ export default async function readback({
         if (ring.free) {
           renderer.setRenderTarget(target);
           renderer.clear();
-          ring.start(new Vector3(), performance.now(), serial++);
+          serial++;
+          ring.start({ center: new Vector3(), time: performance.now(), serial, update: serial });
           renderer.setRenderTarget(null);
         }
       } else {

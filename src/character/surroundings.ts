@@ -1,6 +1,8 @@
 import { Vector3 } from 'three';
 import type { AxisMaxima } from '../cube/AxisMaxima.js';
+import { directionTexel } from '../cube/texelDirections.js';
 import { axisMaximaAt } from '../field/axisMaxima.js';
+import type { SurfaceField } from '../field/SurfaceField.js';
 import { limitTravel } from '../response/limitTravel.js';
 import type { CharacterCollider } from './CharacterCollider.js';
 
@@ -15,6 +17,19 @@ export function vouchesFor(collider: CharacterCollider, center: Vector3, radius:
   const { maxima, field } = collider;
   if (maxima !== null) return center.distanceTo(maxima.center) <= maxima.rMax - maxima.rMin;
   return field !== null && center.distanceTo(field.center) + radius <= field.far;
+}
+
+/**
+ * Is `place` nearer to the field's centre than the surface seen in its direction, by at least `margin` metres? What is
+ * not may lie behind something.
+ */
+function knownFree(field: SurfaceField, place: Vector3, margin: number): boolean {
+  const x = place.x - field.center.x;
+  const y = place.y - field.center.y;
+  const z = place.z - field.center.z;
+  const distance = Math.hypot(x, y, z);
+  if (distance === 0) return true;
+  return distance + margin < field.distance[directionTexel(x, y, z, field.resolution)]!;
 }
 
 /**
@@ -34,7 +49,7 @@ export function surroundings(
 }
 
 /**
- * The part of `travel`, 0 to 1, that the data vouch for: see `limitTravel`; a surface field is not left, either.
+ * The part of `travel`, 0 to 1, that the data vouch for: see `limitTravel`; and a surface field's known-free space is not left.
  *
  * @param seen what `surroundings` returned
  */
@@ -45,8 +60,11 @@ export function vouchedTravel(
   travel: Vector3,
 ): number {
   const part = limitTravel(seen, center, travel);
+  const { maxima, field } = collider;
+  if (maxima !== null || field === null) return part;
   there.copy(center).addScaledVector(travel, part);
-  return collider.maxima !== null || vouchesFor(collider, there, seen.rMax) ? part : 0;
+  const free = vouchesFor(collider, there, seen.rMax) && knownFree(field, there, seen.rMin / 2);
+  return free ? part : 0;
 }
 
 /** Was the collider's newest data drawn around `center`, to a thousandth of the sphere's radius? */

@@ -19,6 +19,7 @@ export interface CollisionMaterialSettings {
   readonly output: 'surface' | 'axis';
   readonly sides: 'both' | 'drawn';
   readonly format: TexelFormat;
+  readonly resolution: number;
   readonly far: number;
   readonly rMin: number;
   readonly rMax: number;
@@ -63,7 +64,7 @@ export class CollisionMaterials {
   }
 
   #create(side: Side): ShaderMaterial {
-    const { output, sides, format, far, rMin, rMax } = this.#settings;
+    const { output, sides, format, resolution, far, rMin, rMax } = this.#settings;
     const axis = output === 'axis';
     return new ShaderMaterial({
       name: `CubeCollider ${output}`,
@@ -71,7 +72,11 @@ export class CollisionMaterials {
       fragmentShader: axis ? axisFragmentShader : surfaceFragmentShader(format),
       uniforms: axis
         ? { rMin: { value: rMin }, rMax: { value: rMax } }
-        : { far: { value: far }, frontSign: { value: side === BackSide ? -1 : 1 } },
+        : {
+            far: { value: far },
+            frontSign: { value: side === BackSide ? -1 : 1 },
+            resolution: { value: resolution },
+          },
       side:
         sides === 'both'
           ? DoubleSide

@@ -106,11 +106,16 @@ export class CubeCollider extends Object3D implements ReadbackClient {
   #hasMaxima = false;
   #gpu: ColliderResources | null = null;
   #updates = 0;
-  #updatesWaiting = 0;
+  #updateOfField = 0;
   #urgent = false;
   #waiters: (() => void)[] = [];
   #disposed = false;
-  readonly #stamp: DrawStamp = { center: new Vector3(), time: 0, serial: 0 };
+  readonly #stamp: DrawStamp = {
+    center: new Vector3(),
+    time: 0,
+    serial: 0,
+    update: 0,
+  };
   readonly #dress;
 
   constructor(options: CubeColliderOptions = {}) {
@@ -250,7 +255,7 @@ export class CubeCollider extends Object3D implements ReadbackClient {
   invalidate(): void {
     this.#field = null;
     this.#hasMaxima = false;
-    this.#updatesWaiting = 0;
+    this.#updateOfField = this.#updates;
     this.#gpu?.ring.drop();
     this.#gpu?.scheduler.cancel(this);
     this.#settle();
@@ -294,9 +299,8 @@ export class CubeCollider extends Object3D implements ReadbackClient {
       this.stats.drawCalls = renderer.info.render.calls - before;
       gpu.axis?.reduce(renderer);
       this.stats.draws++;
-      this.#updatesWaiting++;
-      if (this.readback === 'async') gpu.ring.start(center, time, this.stats.draws);
-      else this.#readNow(gpu, center, time);
+      if (this.readback === 'async') gpu.ring.start(this.#stampOf(center, time));
+      else this.#readNow(gpu, this.#stampOf(center, time));
     } finally {
       this.#state.leave(renderer);
     }
@@ -308,14 +312,19 @@ export class CubeCollider extends Object3D implements ReadbackClient {
     this.stats.objects = this.#selection.proxies.length;
   }
 
-  #readNow(gpu: ColliderResources, center: Vector3, time: number): void {
-    const start = performance.now();
-    gpu.ring.readNow();
-    this.#blocked(start);
+  #stampOf(center: Vector3, time: number): DrawStamp {
     this.#stamp.center.copy(center);
     this.#stamp.time = time;
     this.#stamp.serial = this.stats.draws;
-    this.#publish(gpu, this.#stamp);
+    this.#stamp.update = this.#updates;
+    return this.#stamp;
+  }
+
+  #readNow(gpu: ColliderResources, stamp: DrawStamp): void {
+    const start = performance.now();
+    gpu.ring.readNow();
+    this.#blocked(start);
+    this.#publish(gpu, stamp);
   }
 
   /** Decodes the ring's data into the next field, or the maxima. */
@@ -334,15 +343,15 @@ export class CubeCollider extends Object3D implements ReadbackClient {
     }
     this.stats.reads++;
     this.stats.latency = performance.now() - stamp.time;
-    this.stats.latencyUpdates = this.#updatesWaiting - 1;
-    this.#updatesWaiting = 0;
+    this.stats.latencyUpdates = this.#updates - stamp.update;
+    this.#updateOfField = this.#updates;
   }
 
   /** True if the newest field's reach is about to run out, or there has been none for too long. */
   #mustWait(center: Vector3): boolean {
     const newest =
       this.output === 'axis' ? (this.#hasMaxima ? this.#axisMaxima : null) : this.#field;
-    if (newest === null) return this.#updatesWaiting >= PATIENCE;
+    if (newest === null) return this.#updates - this.#updateOfField > PATIENCE;
     return newest.center.distanceTo(center) > this.#settings.slack;
   }
 

@@ -3,8 +3,12 @@ import { Vector3 } from 'three';
 /** When and where the texels of a read were drawn. */
 export interface DrawStamp {
   readonly center: Vector3;
+  /** `performance.now()` milliseconds. */
   time: number;
+  /** Number of the draw. */
   serial: number;
+  /** Number of the update that drew. */
+  update: number;
 }
 
 /** One pixel-pack buffer and what is on its way in it. */
@@ -12,6 +16,7 @@ class PackBuffer implements DrawStamp {
   readonly center = new Vector3();
   time = 0;
   serial = 0;
+  update = 0;
   buffer: WebGLBuffer | null = null;
   fence: WebGLSync | null = null;
   pending = false;
@@ -65,7 +70,7 @@ export class ReadbackRing {
   }
 
   /** Starts reading the framebuffer bound now; returns false if no buffer is free. */
-  start(center: Vector3, time: number, serial: number): boolean {
+  start(stamp: DrawStamp): boolean {
     const slot = this.#slots.find((candidate) => !candidate.pending);
     if (slot === undefined) return false;
     const gl = this.#gl;
@@ -81,9 +86,10 @@ export class ReadbackRing {
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
     slot.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
-    slot.center.copy(center);
-    slot.time = time;
-    slot.serial = serial;
+    slot.center.copy(stamp.center);
+    slot.time = stamp.time;
+    slot.serial = stamp.serial;
+    slot.update = stamp.update;
     slot.pending = true;
     return true;
   }

@@ -1,0 +1,29 @@
+import { fileURLToPath } from 'node:url';
+import { defineConfig, type Alias } from 'vite';
+import { alias } from '../vite.config.js';
+
+const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+const port = process.env.E2E_PORT ? Number(process.env.E2E_PORT) : undefined;
+
+/** `THREE_VERSION=oldest`: `three` and `three/…` mean the oldest three that package.json allows. */
+const oldest: Alias[] =
+  process.env.THREE_VERSION === 'oldest'
+    ? [{ find: /^three(?=$|\/)/, replacement: 'three-oldest' }]
+    : [];
+
+/** The server of the browser tests: the whole repository, as it is on disk, nothing bundled. */
+export default defineConfig({
+  root: here('..'),
+  publicDir: here('../public'),
+  appType: 'mpa', // a missing page is an error, not the index page
+  resolve: {
+    alias: [
+      ...Object.entries(alias).map(([find, replacement]) => ({ find, replacement })),
+      ...oldest,
+    ],
+  },
+  // Pre-bundling could find one more dependency in mid-test and reload the page. three and its addons are ES
+  // modules and need none; served as they are, there is one copy of three, whoever imports it.
+  optimizeDeps: { noDiscovery: true, include: [] },
+  server: { port, strictPort: true, hmr: false, watch: null },
+});
