@@ -70,13 +70,12 @@ export class CollisionMaterials {
       name: `CubeCollider ${output}`,
       vertexShader: collisionVertexShader,
       fragmentShader: axis ? axisFragmentShader : surfaceFragmentShader(format),
-      uniforms: axis
-        ? { rMin: { value: rMin }, rMax: { value: rMax } }
-        : {
-            far: { value: far },
-            frontSign: { value: side === BackSide ? -1 : 1 },
-            resolution: { value: resolution },
-          },
+      uniforms: {
+        resolution: { value: resolution },
+        ...(axis
+          ? { rMin: { value: rMin }, rMax: { value: rMax } }
+          : { far: { value: far }, frontSign: { value: side === BackSide ? -1 : 1 } }),
+      },
       side:
         sides === 'both'
           ? DoubleSide

@@ -29,59 +29,66 @@ void main() {
   vFromCenter = ( vec4( mvPosition.xyz, 0.0 ) * viewMatrix ).xyz;
 }`;
 
+/**
+ * `float surfaceDistance( out vec3 normal )`: equation (9), from the centre to the surface along the texel's own ray,
+ * and the geometric normal, turned toward the centre. To be called before any discard: derivatives are undefined after.
+ *
+ * Mend of (9): the length is taken per fragment, since lengths do not interpolate. And the interpolated place lies in
+ * the triangle's plane, but a little beside the texel's ray (rasterisers snap vertices to a grid and clip large
+ * triangles), which at a slant is many millimetres of distance. Meeting the plane with the ray itself gives the point
+ * that the texel's direction, (14)-(16), stands for: errors of 10 mm at 3.5 m become micrometres.
+ */
 const FRAGMENT_HEAD = /* glsl */ `
 #include <common>
 #include <logdepthbuf_pars_fragment>
 #include <clipping_planes_pars_fragment>
-varying vec3 vFromCenter;`;
+varying vec3 vFromCenter;
+uniform float resolution; // texels per face edge
 
-/** The paper's fragment shader, (9)-(11). The length is taken per fragment: lengths do not interpolate (mend of (9)). */
+vec3 texelDirection() { // unit, through the texel's middle, world axes
+  vec2 tile = mod( gl_FragCoord.xy, resolution ) * 2.0 / resolution - 1.0;
+  return normalize( ( vec4( tile, - 1.0, 0.0 ) * viewMatrix ).xyz );
+}
+
+float surfaceDistance( out vec3 normal ) {
+  float distance = length( vFromCenter );
+  normal = cross( dFdx( vFromCenter ), dFdy( vFromCenter ) );
+  normal *= ( dot( normal, vFromCenter ) > 0.0 ? -1.0 : 1.0 ) / max( length( normal ), 1e-30 );
+  if ( normal == vec3( 0.0 ) ) normal = - vFromCenter / distance;
+  float slant = - dot( normal, texelDirection() );
+  float height = - dot( normal, vFromCenter ); // of the centre over the plane
+  // Nearly edge-on the plane says little of the distance.
+  return slant > 0.02 ? clamp( height / slant, 0.9 * distance, 1.1 * distance ) : distance;
+}`;
+
+/** The paper's fragment shader, (9)-(11). */
 export const axisFragmentShader = /* glsl */ `
 ${FRAGMENT_HEAD}
 uniform float rMin;
 uniform float rMax;
 
 void main() {
+  vec3 normal;
+  float d = surfaceDistance( normal );              // (9)
   #include <clipping_planes_fragment>
   #include <logdepthbuf_fragment>
-  float d = length( vFromCenter );                 // (9)
   float red = 1.0 - ( d - rMin ) / ( rMax - rMin ); // (10)
   gl_FragColor = vec4( red, 0.0, 0.0, 1.0 );        // (11); the 8-bit target clamps red to 0..1
 }`;
 
-/**
- * Distance, geometric normal (turned toward the centre) and facing of the surface.
- *
- * The interpolated place lies in the triangle's plane but a little beside the texel's ray (vertices snap to a grid, and
- * large triangles are clipped), which at a slant is centimetres of distance a few metres away. Meeting the plane with
- * the ray itself mends that: the point a texel stands for is then in the surface's plane.
- */
+/** Distance, geometric normal and facing of the surface. */
 export function surfaceFragmentShader(format: TexelFormat): string {
   return /* glsl */ `
 ${FRAGMENT_HEAD}
 uniform float far;
 uniform float frontSign; // -1 where a material shows the inside of its triangles
-uniform float resolution;
 ${encodeSurfaceGLSL(format)}
 
-/** Unit vector through the texel's middle, world axes: (14)-(16). */
-vec3 texelDirection() {
-  vec2 tile = mod( gl_FragCoord.xy, resolution ) * 2.0 / resolution - 1.0;
-  return normalize( ( vec4( tile, - 1.0, 0.0 ) * viewMatrix ).xyz );
-}
-
 void main() {
-  // Derivatives first: after a discard they are undefined.
-  vec3 normal = cross( dFdx( vFromCenter ), dFdy( vFromCenter ) );
+  vec3 normal;
+  float distance = surfaceDistance( normal );
   #include <clipping_planes_fragment>
-  float distance = length( vFromCenter );
-  normal *= ( dot( normal, vFromCenter ) > 0.0 ? -1.0 : 1.0 ) / max( length( normal ), 1e-30 );
-  float height = - dot( normal, vFromCenter ); // of the centre over the plane
-  float slant = - dot( normal, texelDirection() );
-  // Nearly edge-on the plane says little of the distance.
-  if ( slant > 0.02 ) distance = clamp( height / slant, 0.9 * distance, 1.1 * distance );
   if ( distance > far ) discard;
-  if ( normal == vec3( 0.0 ) ) normal = - vFromCenter / distance;
   #include <logdepthbuf_fragment>
   bool front = gl_FrontFacing == ( frontSign > 0.0 );
   gl_FragColor = encodeSurface( distance, normal, front, far );
