@@ -26,7 +26,11 @@ test.describe('every texel against three’s Raycaster (32² faces, centre insid
   ];
   for (const [name, options] of cases) {
     test(`should agree with ${name}`, async ({ page }) => {
-      const report = await runInPage<Awaited<ReturnType<typeof surface>>>(page, '/e2e/harness/surface.ts', options);
+      const report = await runInPage<Awaited<ReturnType<typeof surface>>>(
+        page,
+        '/e2e/harness/surface.ts',
+        options,
+      );
       const share = report.good / report.texels;
       console.log(
         `    ${report.format}: ${report.good} of ${report.texels} texels (${(100 * share).toFixed(2)} %) within ` +
@@ -51,7 +55,11 @@ test.describe('texel formats', () => {
   ];
   for (const [name, missing, format] of cases) {
     test(`should take ${name}`, async ({ page }) => {
-      const report = await runInPage<Awaited<ReturnType<typeof fallback>>>(page, '/e2e/harness/fallback.ts', missing);
+      const report = await runInPage<Awaited<ReturnType<typeof fallback>>>(
+        page,
+        '/e2e/harness/fallback.ts',
+        missing,
+      );
       expect(report).toEqual({ format, seen: report.texels, texels: 6144 });
     });
   }
@@ -65,7 +73,11 @@ test.describe('the user’s frame', () => {
   ];
   for (const [name, options] of cases) {
     test(`should be identical with ${name} between its frames`, async ({ page }) => {
-      const report = await runInPage<Awaited<ReturnType<typeof untouched>>>(page, '/e2e/harness/untouched.ts', options);
+      const report = await runInPage<Awaited<ReturnType<typeof untouched>>>(
+        page,
+        '/e2e/harness/untouched.ts',
+        options,
+      );
       console.log(
         `    ${report.differing} of ${report.bytes} bytes differ, ${report.changed.length} of ${report.compared} states`,
       );
@@ -83,11 +95,15 @@ test.describe('reading back', () => {
   test('should stamp late fields with their own place, with two reads in flight at most', async ({
     page,
   }) => {
-    const report = await runInPage<Awaited<ReturnType<typeof readbacks>>>(page, '/e2e/harness/readbacks.ts', {
-      frames: 60,
-      stride: 0.02,
-      options: {},
-    });
+    const report = await runInPage<Awaited<ReturnType<typeof readbacks>>>(
+      page,
+      '/e2e/harness/readbacks.ts',
+      {
+        frames: 60,
+        stride: 0.02,
+        options: {},
+      },
+    );
     expect(report.fields).toBeGreaterThan(3);
     expect(report.stampError).toBe(0);
     expect(report.worst).toBeLessThan(0.005);
@@ -98,21 +114,29 @@ test.describe('reading back', () => {
   });
 
   test('should wait for one read when the reach runs out, and count it', async ({ page }) => {
-    const report = await runInPage<Awaited<ReturnType<typeof readbacks>>>(page, '/e2e/harness/readbacks.ts', {
-      frames: 5,
-      stride: 0.02,
-      options: {},
-    });
+    const report = await runInPage<Awaited<ReturnType<typeof readbacks>>>(
+      page,
+      '/e2e/harness/readbacks.ts',
+      {
+        frames: 5,
+        stride: 0.02,
+        options: {},
+      },
+    );
     expect(report.forcedAtStart).toBe(1);
     expect(report.forcedByMoving).toBe(3);
   });
 
   test('should have each field at once when synchronous', async ({ page }) => {
-    const report = await runInPage<Awaited<ReturnType<typeof readbacks>>>(page, '/e2e/harness/readbacks.ts', {
-      frames: 20,
-      stride: 0.02,
-      options: { readback: 'sync' },
-    });
+    const report = await runInPage<Awaited<ReturnType<typeof readbacks>>>(
+      page,
+      '/e2e/harness/readbacks.ts',
+      {
+        frames: 20,
+        stride: 0.02,
+        options: { readback: 'sync' },
+      },
+    );
     expect(report.fields).toBe(20);
     expect(report.stats.reads).toBe(report.stats.draws);
     expect(report.stats.latencyUpdates).toBe(0);
@@ -124,7 +148,11 @@ test.describe('reading back', () => {
 test('should cut the cubemap by the user’s clipping planes as the picture is cut', async ({
   page,
 }) => {
-  const report = await runInPage<Awaited<ReturnType<typeof clipping>>>(page, '/e2e/harness/clipping.ts', null);
+  const report = await runInPage<Awaited<ReturnType<typeof clipping>>>(
+    page,
+    '/e2e/harness/clipping.ts',
+    null,
+  );
   expect(report.cut).toBeGreaterThan(1000);
   expect(report.wrong).toBe(0);
 });
@@ -138,7 +166,11 @@ test.describe('a collider’s life', () => {
     test(`should give back all it took and warn once of each misuse: ${JSON.stringify(options)}`, async ({
       page,
     }) => {
-      const report = await runInPage<Awaited<ReturnType<typeof lifecycle>>>(page, '/e2e/harness/lifecycle.ts', options);
+      const report = await runInPage<Awaited<ReturnType<typeof lifecycle>>>(
+        page,
+        '/e2e/harness/lifecycle.ts',
+        options,
+      );
       expect(report.during.textures).toBeGreaterThan(report.before.textures);
       expect(report.after).toEqual(report.before);
       expect(report.warnings).toHaveLength(4);

@@ -59,7 +59,8 @@ export default async function axis({
       report.plainFailures += result.plainFailures;
       report.worstSteps = Math.max(report.worstSteps, 255 * result.worst);
       if (result.plainFailures === 0) continue;
-      const snap = 0.5 ** (subpixelBits + 1);
+      // A vertex is off by half a step of the grid at most, an edge cut by the near plane by another half.
+      const snap = 0.5 ** subpixelBits;
       result = judge(reading, modelMaxima(triangles, center, rMin, rMax, resolution, snap));
       report.failures += result.failures;
     }
