@@ -232,10 +232,11 @@ export class CharacterController<R = unknown, S = unknown> {
     const from = this.#from.copy(this.#center);
     // Mend: the user's displacement does not push on into a wall that is already touched.
     clipWish(seen, from, this.#travel.copy(this.#wanted));
+    const rising = this.velocity.y;
     this.#travel.y += this.#fall.travel(dt, this.gravity, this.terminalSpeed, seen.rMax);
-    // Mend: never outrun what the cubemap vouches for; what waits also stops gathering speed.
+    // Mend: never outrun what the cubemap vouches for. Time waits with it: neither a fall's nor a jump's speed is lost.
     const part = vouchedTravel(this.collider, seen, from, this.#travel);
-    if (part < 1) this.velocity.y *= part;
+    this.velocity.y = rising + part * (this.velocity.y - rising);
     this.#center.addScaledVector(this.#travel, part);
 
     if (renderer !== undefined && scene !== undefined) {

@@ -6,9 +6,13 @@ import type { SurfaceField } from '../field/SurfaceField.js';
 import { limitTravel } from '../response/limitTravel.js';
 import type { CharacterCollider } from './CharacterCollider.js';
 
+/** A texel's diagonal in the middle of a face of N texels, as a part of N and of the distance: 2·√2. */
+const TEXEL_DIAGONAL = 2 * Math.SQRT2;
+
 /**
  * Can the collider's newest data vouch for a sphere? Not if there are none, or if they were drawn too far away: the
- * paper's maxima vouch within rMax - rMin of their centre, a surface field for spheres wholly within its reach.
+ * paper's maxima vouch within rMax - rMin of their centre, a surface field for spheres wholly within its reach, there
+ * where its points lie no more than half a radius apart (1.98 m of 32 texels for a radius of 0.35 m).
  *
  * @param center the sphere's middle, world space, metres
  * @param radius metres; the paper's maxima bring their own
@@ -16,7 +20,9 @@ import type { CharacterCollider } from './CharacterCollider.js';
 export function vouchesFor(collider: CharacterCollider, center: Vector3, radius: number): boolean {
   const { maxima, field } = collider;
   if (maxima !== null) return center.distanceTo(maxima.center) <= maxima.rMax - maxima.rMin;
-  return field !== null && center.distanceTo(field.center) + radius <= field.far;
+  if (field === null) return false;
+  const farthest = center.distanceTo(field.center) + radius;
+  return farthest <= field.far && farthest * (TEXEL_DIAGONAL / field.resolution) <= radius / 2;
 }
 
 /**

@@ -45,9 +45,8 @@ export class CollisionMaterials {
     if (materials === undefined) this.#arrays.set(source, (materials = []));
     materials.length = source.length;
     for (let i = 0; i < source.length; i++) {
-      // A group without a material is not drawn by three; keep the hole.
-      if (source[i]) materials[i] = this.#ofSide(source[i]!.side);
-      else delete materials[i];
+      // three draws no group without a material; a hole stays a hole.
+      materials[i] = (source[i] ? this.#ofSide(source[i]!.side) : undefined)!;
     }
     return materials;
   }

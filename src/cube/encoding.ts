@@ -92,10 +92,10 @@ export function decodeSurface(
       let from = 4 * atlasIndex(face, 0, y, resolution);
       let to = texelIndex(face, 0, y, resolution);
       for (let x = 0; x < resolution; x++, from += 4, to++) {
-        let d = 0;
-        let ox = 0;
-        let oy = 0;
-        let isFront = true;
+        let d: number;
+        let ox: number;
+        let oy: number;
+        let isFront: boolean;
         if (format === 'RGBA32F') {
           d = data[from]!;
           const packed = data[from + 1]!;

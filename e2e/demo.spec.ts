@@ -1,0 +1,127 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from './support/test.js';
+
+// The level's plan (scripts/level): the start looks along -Z; ahead lie eight steps of 0.06 m and a wall whose niche
+// ends at z = -13.7; behind, from z = 14 on, the pit. The character's radius is 0.35 m.
+const STAGE_HEIGHT = 0.48;
+const STAGE_WALL = -13.7;
+const PIT_EDGE = 14;
+const RADIUS = 0.35;
+
+/** Opens the demo and waits until one can walk. */
+async function open(page: Page, query: string): Promise<void> {
+  await page.goto(`/demo/index.html?dpr=1&${query}`);
+  await page.evaluate(() => window.demo.ready);
+}
+
+const foot = (page: Page) => page.evaluate(() => window.demo.character.position.toArray());
+
+/** Where the character ends up, however slow the machine: looks until it has stood still for a few frames. */
+async function whereItStops(page: Page): Promise<number[]> {
+  return page.evaluate(async () => {
+    const { demo } = window;
+    const last = demo.character.position.clone();
+    for (let still = 0; still < 6;) {
+      const frame = demo.renderer.info.render.frame;
+      while (demo.renderer.info.render.frame === frame) await new Promise(requestAnimationFrame);
+      still = demo.character.position.distanceTo(last) < 1e-3 ? still + 1 : 0;
+      last.copy(demo.character.position);
+    }
+    return last.toArray();
+  });
+}
+
+test.describe('walking', () => {
+  // A small picture: the software GPU draws it several times as fast.
+  test.use({ viewport: { width: 320, height: 180 } });
+
+  test('walks up the gentle steps, switching views, and stops at the wall', async ({ page }) => {
+    await open(page, '');
+    await page.getByRole('button', { name: 'Click to walk' }).click();
+    await expect(page.getByRole('heading')).toBeHidden();
+    const [, , start] = await foot(page);
+
+    await page.keyboard.down('ShiftLeft');
+    await page.keyboard.down('KeyW');
+    await expect.poll(async () => (await foot(page))[2]).toBeLessThan(start! - 1);
+
+    // Walking on, the camera leaves the head and comes back.
+    const cameraBehind = () =>
+      page.evaluate(() => window.demo.camera.position.z - window.demo.character.position.z);
+    const avatarDrawn = () => page.evaluate(() => window.demo.character.avatar?.visible);
+    expect(await cameraBehind()).toBeCloseTo(0, 6);
+    expect(await avatarDrawn()).toBe(false);
+    await page.keyboard.press('KeyV');
+    await expect.poll(cameraBehind).toBeGreaterThan(2);
+    expect(await avatarDrawn()).toBe(true);
+    await page.keyboard.press('KeyV');
+    await expect.poll(cameraBehind).toBe(0);
+    expect(await avatarDrawn()).toBe(false);
+
+    const [x, y, z] = await whereItStops(page);
+    await page.keyboard.up('KeyW');
+    await page.keyboard.up('ShiftLeft');
+    expect(x).toBeCloseTo(0, 1);
+    expect(Math.abs(y! - STAGE_HEIGHT)).toBeLessThan(0.02);
+    expect(Math.abs(z! - (STAGE_WALL + RADIUS))).toBeLessThan(0.05);
+  });
+
+  test('falls into the pit and comes back at the start', async ({ page }) => {
+    await open(page, 'ui=0');
+    // From just before its edge, backward.
+    await page.evaluate((z) => {
+      const { character, spawn } = window.demo;
+      character.teleport(spawn.clone().setZ(z));
+    }, PIT_EDGE - 1);
+    await page.keyboard.down('KeyS');
+    await expect.poll(async () => (await foot(page))[1], { timeout: 20_000 }).toBeLessThan(-1);
+    await page.keyboard.up('KeyS');
+    await expect.poll(async () => (await foot(page))[1], { timeout: 20_000 }).toBeGreaterThan(-0.1);
+    const spawn = await page.evaluate(() => window.demo.spawn.toArray());
+    const end = await whereItStops(page);
+    end.forEach((value, i) => expect(Math.abs(value - spawn[i]!)).toBeLessThan(0.05));
+    expect(await page.evaluate(() => window.demo.character.grounded)).toBe(true);
+  });
+
+  test('goes on where it is with another collider', async ({ page }) => {
+    await open(page, 'ui=0');
+    const before = await foot(page);
+    const resolution = await page.evaluate(async () => {
+      const { demo } = window;
+      await demo.step(1);
+      Object.assign(demo.settings, { output: 'surface', resolution: 16, helper: true });
+      demo.apply('collider');
+      await demo.step(4);
+      return demo.collider.field?.resolution;
+    });
+    expect(resolution).toBe(16);
+    (await foot(page)).forEach((value, i) => expect(value).toBeCloseTo(before[i]!, 2));
+  });
+});
+
+test('looks as it did in first and in third person', async ({ page }) => {
+  await open(page, 'ui=0&helper=1');
+  await page.evaluate(() => window.demo.step(3));
+  await expect(page).toHaveScreenshot('first-person.png');
+  await page.evaluate(async () => {
+    const { demo } = window;
+    demo.controls.smoothing = Infinity;
+    demo.controls.view = 'third';
+    demo.controls.yaw = -0.6;
+    demo.controls.pitch = -0.12;
+    await demo.step(2);
+  });
+  await expect(page).toHaveScreenshot('third-person.png');
+});
+
+test.describe('without its level', () => {
+  test.use({ allowedMessages: [/404|could not be loaded/] });
+
+  test('says which level failed to load', async ({ page }) => {
+    await open(page, 'level=/no-such-level.glb');
+    const alert = page.getByRole('alert');
+    await expect(alert).toContainText('/no-such-level.glb');
+    await expect(alert).toContainText('?level=');
+    await expect(page.getByRole('button', { name: 'Try again' })).toBeVisible();
+  });
+});
