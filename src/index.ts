@@ -1,5 +1,6 @@
-export { CubeCollider, type CubeColliderStats } from './collider/CubeCollider.js';
+export { CubeCollider } from './collider/CubeCollider.js';
 export type { CubeColliderOptions } from './collider/CubeColliderOptions.js';
+export type { CubeColliderStats } from './collider/CubeColliderStats.js';
 export { CharacterController, type CharacterBody } from './character/CharacterController.js';
 export type { CharacterCollider } from './character/CharacterCollider.js';
 export type { CharacterOptions } from './character/characterOptions.js';

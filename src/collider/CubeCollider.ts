@@ -1,47 +1,22 @@
 import { Object3D, Vector3, type WebGLRenderer, type WebGLRenderTarget } from 'three';
-import { atlasSize } from '../cube/atlas.js';
 import { AxisMaxima } from '../cube/AxisMaxima.js';
 import { decodeSurface, type TexelFormat } from '../cube/encoding.js';
 import { texelDirections } from '../cube/texelDirections.js';
 import { SurfaceField } from '../field/SurfaceField.js';
-import { AxisPass } from './AxisPass.js';
-import { CollisionMaterials } from './CollisionMaterials.js';
+import { ColliderResources } from './ColliderResources.js';
+import type { CollisionMaterials } from './CollisionMaterials.js';
 import {
   type CubeColliderOptions,
   type CubeColliderSettings,
   resolveOptions,
 } from './CubeColliderOptions.js';
-import { FaceCameras } from './FaceCameras.js';
-import { type DrawStamp, ReadbackRing } from './ReadbackRing.js';
-import { type ReadbackClient, ReadbackScheduler } from './ReadbackScheduler.js';
+import { type CubeColliderStats, emptyStats } from './CubeColliderStats.js';
+import type { DrawStamp } from './ReadbackRing.js';
+import type { ReadbackClient } from './ReadbackScheduler.js';
 import { PrivateScene } from './PrivateScene.js';
 import { RendererState } from './RendererState.js';
 import { Selection } from './Selection.js';
-import { bestTexelFormat, clearTexels, createTexelTarget } from './texelTarget.js';
-
-/** What a collider has done so far. */
-export interface CubeColliderStats {
-  /** Cubemaps drawn. */
-  draws: number;
-  /** Cubemaps read back and decoded. */
-  reads: number;
-  /** Updates that drew nothing, since as many reads as there are buffers were on their way. */
-  skipped: number;
-  /** Asynchronous reads that had to be waited for because the reach was about to run out. */
-  forced: number;
-  /** Milliseconds the page has waited in read-backs, all together. */
-  blocked: number;
-  /** Milliseconds it waited in the last one. */
-  lastBlocked: number;
-  /** Milliseconds from the newest field's draw to its arrival. */
-  latency: number;
-  /** Updates from the newest field's draw to its arrival. */
-  latencyUpdates: number;
-  /** Meshes in the last cubemap. */
-  objects: number;
-  /** Draw calls of the last cubemap. */
-  drawCalls: number;
-}
+import { clearTexels } from './texelTarget.js';
 
 /** Updates without any field after which one is waited for, however busy the GPU. */
 const PATIENCE = 4;
@@ -81,18 +56,7 @@ export class CubeCollider extends Object3D implements ReadbackClient {
   readonly sides: 'both' | 'drawn';
   /** Called for each mesh within reach; false makes it no obstacle. */
   filter: ((object: Object3D) => boolean) | null;
-  readonly stats: CubeColliderStats = {
-    draws: 0,
-    reads: 0,
-    skipped: 0,
-    forced: 0,
-    blocked: 0,
-    lastBlocked: 0,
-    latency: 0,
-    latencyUpdates: 0,
-    objects: 0,
-    drawCalls: 0,
-  };
+  readonly stats: CubeColliderStats = emptyStats();
 
   readonly #settings: CubeColliderSettings;
   readonly #excluded = new Set<Object3D>();
@@ -408,48 +372,5 @@ export class CubeCollider extends Object3D implements ReadbackClient {
     if (this.#warned.has(key)) return;
     this.#warned.add(key);
     console.warn(`CubeCollider: ${message}`);
-  }
-}
-
-/** Everything a collider keeps on one renderer's GPU. */
-class ColliderResources {
-  readonly format: TexelFormat;
-  readonly atlas: WebGLRenderTarget;
-  readonly cameras: FaceCameras;
-  readonly materials: CollisionMaterials;
-  /** The search for the maxima; null if surfaces are read. */
-  readonly axis: AxisPass | null;
-  readonly ring: ReadbackRing;
-  readonly scheduler: ReadbackScheduler;
-
-  constructor(
-    readonly renderer: WebGLRenderer,
-    settings: CubeColliderSettings,
-  ) {
-    const gl = renderer.getContext() as WebGL2RenderingContext;
-    const { resolution, near, far, output } = settings;
-    const axis = output === 'axis';
-    this.format = axis
-      ? 'RGBA8'
-      : settings.format === 'auto'
-        ? bestTexelFormat(gl)
-        : settings.format;
-    const { width, height } = atlasSize(resolution);
-    this.atlas = createTexelTarget(width, height, this.format, true);
-    this.cameras = new FaceCameras(resolution, near, far);
-    this.materials = new CollisionMaterials({ ...settings, format: this.format });
-    this.axis = axis ? new AxisPass(resolution, this.atlas.texture) : null;
-    const float = this.format !== 'RGBA8';
-    this.ring = axis
-      ? new ReadbackRing(gl, 6, 1, false)
-      : new ReadbackRing(gl, width, height, float);
-    this.scheduler = ReadbackScheduler.of(gl);
-  }
-
-  dispose(): void {
-    this.atlas.dispose();
-    this.materials.dispose();
-    this.axis?.dispose();
-    this.ring.dispose();
   }
 }

@@ -22,7 +22,8 @@ export interface AxisResponseOptions {
  *
  * What to know of it:
  * - c of 1/2 centres a sphere in a corridor in one go; c of 1 would throw it from wall to wall for ever, so cXZ < cY <= 1.
- * - a wall walked into at a travel of t a cubemap is entered by t/cXZ - t, at rest, and left when the walking stops.
+ * - a wall walked into at a travel of t a cubemap is entered by t/cXZ - t, at rest, and left when the walking stops
+ *   (`CharacterController` clips the walk there: see `clipWish`).
  * - only one component a face is kept, so a slope of 45° is pushed back by half, and needs a few cubemaps.
  * - kerbs lower than about 0.29 rMax are seen by the bottom face alone and climbed with no threshold. `hMax`, the
  *   paper's threshold for that, compares a sideways push with a height: at 0.1 m walls are entered by 0.2 m, then jump

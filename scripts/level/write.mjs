@@ -1,0 +1,99 @@
+// Shapes to a GLB file, by the glTF writer.
+
+import { Document, NodeIO } from '@gltf-transform/core';
+import { MATERIALS, linear } from './palette.mjs';
+import { HALF } from './parts/ground.mjs';
+
+/** Width of the square that the floor's occlusion map covers, metres, about the middle. */
+export const FLOOR_MAP = 2 * (HALF + 0.5);
+
+/** Joins the vertices of a part that are equal in everything: box faces cut in cells share most of theirs. */
+function weld({ positions, normals, uvs, colors, indices }) {
+  const seen = new Map();
+  const joined = { positions: [], normals: [], uvs: [], colors: [], indices: [] };
+  // Adding zero turns a negative zero into a plain one.
+  const three = (list, i) => [0, 1, 2].map((k) => Math.fround(list[i * 3 + k]) + 0);
+  joined.indices = indices.map((i) => {
+    const position = three(positions, i);
+    const normal = three(normals, i);
+    const uv = [0, 1].map((k) => Math.fround(uvs[i * 2 + k]) + 0);
+    const color = three(colors, i).map((value) => Math.round(value * 255));
+    const key = [...position, ...normal, ...uv.map((value) => value.toFixed(5)), ...color].join();
+    let index = seen.get(key);
+    if (index === undefined) {
+      index = seen.size;
+      seen.set(key, index);
+      joined.positions.push(...position);
+      joined.normals.push(...normal);
+      joined.uvs.push(...uv);
+      joined.colors.push(...color, 255);
+    }
+    return index;
+  });
+  return joined;
+}
+
+/** `spawn`: the foot of the start, looking toward -Z. Returns the file's bytes. */
+export async function writeLevel({ shapes, textures, occlusion, spawn }) {
+  const document = new Document();
+  const root = document.getRoot();
+  root.getAsset().generator = 'three-cube-collider scripts/level';
+  const buffer = document.createBuffer();
+  const scene = document.createScene('level');
+  root.setDefaultScene(scene);
+
+  const pictures = new Map();
+  const picture = (name, image) => {
+    if (!pictures.has(name))
+      pictures.set(name, document.createTexture(name).setMimeType('image/png').setImage(image));
+    return pictures.get(name);
+  };
+  const materials = new Map();
+  const material = (name) => {
+    if (!materials.has(name)) {
+      const { texture, color, roughness, occlusion: baked } = MATERIALS[name];
+      const made = document
+        .createMaterial(name)
+        .setBaseColorTexture(picture(texture, textures[texture]))
+        .setBaseColorFactor([...linear(color), 1])
+        .setMetallicFactor(0)
+        .setRoughnessFactor(roughness);
+      if (baked) {
+        made.setOcclusionTexture(picture('floor-occlusion', occlusion));
+        made.getOcclusionTextureInfo().setTexCoord(1);
+      }
+      materials.set(name, made);
+    }
+    return materials.get(name);
+  };
+  const accessor = (type, array) =>
+    document.createAccessor().setBuffer(buffer).setType(type).setArray(array);
+
+  for (const shape of shapes) {
+    const mesh = document.createMesh(shape.name);
+    for (const [name, part] of shape.parts) {
+      const { positions, normals, uvs, colors, indices } = weld(part);
+      const count = positions.length / 3;
+      const Indices = count > 65535 ? Uint32Array : Uint16Array;
+      const primitive = document
+        .createPrimitive()
+        .setMaterial(material(name))
+        .setIndices(accessor('SCALAR', Indices.from(indices)))
+        .setAttribute('POSITION', accessor('VEC3', Float32Array.from(positions)))
+        .setAttribute('NORMAL', accessor('VEC3', Float32Array.from(normals)))
+        .setAttribute('TEXCOORD_0', accessor('VEC2', Float32Array.from(uvs)))
+        .setAttribute('COLOR_0', accessor('VEC4', Uint8Array.from(colors)).setNormalized(true));
+      if (MATERIALS[name].occlusion) {
+        const spread = Array.from(
+          { length: count * 2 },
+          (_, i) => positions[(i >> 1) * 3 + (i & 1) * 2] / FLOOR_MAP + 0.5,
+        );
+        primitive.setAttribute('TEXCOORD_1', accessor('VEC2', Float32Array.from(spread)));
+      }
+      mesh.addPrimitive(primitive);
+    }
+    scene.addChild(document.createNode(shape.name).setMesh(mesh));
+  }
+  scene.addChild(document.createNode('spawn').setTranslation(spawn));
+  return new NodeIO().writeBinary(document);
+}

@@ -1,0 +1,53 @@
+import type { WebGLRenderer, WebGLRenderTarget } from 'three';
+import { atlasSize } from '../cube/atlas.js';
+import type { TexelFormat } from '../cube/encoding.js';
+import { AxisPass } from './AxisPass.js';
+import { CollisionMaterials } from './CollisionMaterials.js';
+import type { CubeColliderSettings } from './CubeColliderOptions.js';
+import { FaceCameras } from './FaceCameras.js';
+import { ReadbackRing } from './ReadbackRing.js';
+import { ReadbackScheduler } from './ReadbackScheduler.js';
+import { bestTexelFormat, createTexelTarget } from './texelTarget.js';
+
+/** Everything a collider keeps on one renderer's GPU. */
+export class ColliderResources {
+  readonly format: TexelFormat;
+  readonly atlas: WebGLRenderTarget;
+  readonly cameras: FaceCameras;
+  readonly materials: CollisionMaterials;
+  /** The search for the maxima; null if surfaces are read. */
+  readonly axis: AxisPass | null;
+  readonly ring: ReadbackRing;
+  readonly scheduler: ReadbackScheduler;
+
+  constructor(
+    readonly renderer: WebGLRenderer,
+    settings: CubeColliderSettings,
+  ) {
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    const { resolution, near, far, output } = settings;
+    const axis = output === 'axis';
+    this.format = axis
+      ? 'RGBA8'
+      : settings.format === 'auto'
+        ? bestTexelFormat(gl)
+        : settings.format;
+    const { width, height } = atlasSize(resolution);
+    this.atlas = createTexelTarget(width, height, this.format, true);
+    this.cameras = new FaceCameras(resolution, near, far);
+    this.materials = new CollisionMaterials({ ...settings, format: this.format });
+    this.axis = axis ? new AxisPass(resolution, this.atlas.texture) : null;
+    const float = this.format !== 'RGBA8';
+    this.ring = axis
+      ? new ReadbackRing(gl, 6, 1, false)
+      : new ReadbackRing(gl, width, height, float);
+    this.scheduler = ReadbackScheduler.of(gl);
+  }
+
+  dispose(): void {
+    this.atlas.dispose();
+    this.materials.dispose();
+    this.axis?.dispose();
+    this.ring.dispose();
+  }
+}

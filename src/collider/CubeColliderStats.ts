@@ -1,0 +1,39 @@
+/** What a collider has done so far. */
+export interface CubeColliderStats {
+  /** Cubemaps drawn. */
+  draws: number;
+  /** Cubemaps read back and decoded. */
+  reads: number;
+  /** Updates that drew nothing, since as many reads as there are buffers were on their way. */
+  skipped: number;
+  /** Asynchronous reads that had to be waited for because the reach was about to run out. */
+  forced: number;
+  /** Milliseconds the page has waited in read-backs, all together. */
+  blocked: number;
+  /** Milliseconds it waited in the last one. */
+  lastBlocked: number;
+  /** Milliseconds from the newest field's draw to its arrival. */
+  latency: number;
+  /** Updates from the newest field's draw to its arrival. */
+  latencyUpdates: number;
+  /** Meshes in the last cubemap. */
+  objects: number;
+  /** Draw calls of the last cubemap. */
+  drawCalls: number;
+}
+
+/** All zero. */
+export function emptyStats(): CubeColliderStats {
+  return {
+    draws: 0,
+    reads: 0,
+    skipped: 0,
+    forced: 0,
+    blocked: 0,
+    lastBlocked: 0,
+    latency: 0,
+    latencyUpdates: 0,
+    objects: 0,
+    drawCalls: 0,
+  };
+}
