@@ -100,6 +100,7 @@ test.describe('walking', () => {
 });
 
 test('looks as it did in first and in third person', async ({ page }) => {
+  await page.setViewportSize({ width: 640, height: 360 });
   await open(page, 'ui=0&helper=1');
   await page.evaluate(() => window.demo.step(3));
   await expect(page).toHaveScreenshot('first-person.png');

@@ -3,6 +3,7 @@ import { AxisMaxima } from '../cube/AxisMaxima.js';
 import { DEFAULTS } from '../defaults.js';
 import { clipWish } from '../response/clipWish.js';
 import type { Response } from '../response/Response.js';
+import { Warnings } from '../Warnings.js';
 import type { CharacterCollider } from './CharacterCollider.js';
 import { checkCharacterOptions, checkVector, type CharacterOptions } from './characterOptions.js';
 import { Fall } from './Fall.js';
@@ -75,7 +76,7 @@ export class CharacterController<R = unknown, S = unknown> {
   readonly #wanted = new Vector3();
   readonly #travel = new Vector3();
   readonly #push = new Vector3();
-  readonly #warned = new Set<string>();
+  readonly #warnings = new Warnings('CharacterController');
   readonly #fall = new Fall(this.velocity);
   #disposed = false;
 
@@ -173,7 +174,9 @@ export class CharacterController<R = unknown, S = unknown> {
   update(renderer: R, scene: S, delta: number): void {
     if (!this.#usable(delta)) return;
     if (!renderer || !scene) {
-      this.#warn('update(renderer, scene, delta) needs a renderer and a scene; holding still.');
+      this.#warnings.once(
+        'update(renderer, scene, delta) needs a renderer and a scene; holding still.',
+      );
       this.#rest();
     } else if (this.collider.readback === 'sync' && this.ready) {
       this.#advance(delta, renderer, scene);
@@ -201,7 +204,7 @@ export class CharacterController<R = unknown, S = unknown> {
       return;
     }
     if (Math.abs(seen.rMax - this.body.radius) > this.body.radius / 1000) {
-      this.#warn(
+      this.#warnings.once(
         `"radius" should equal the collider's rMax; the latter is taken (got ${this.body.radius}, ${seen.rMax}).`,
       );
     }
@@ -242,7 +245,7 @@ export class CharacterController<R = unknown, S = unknown> {
     if (renderer !== undefined && scene !== undefined) {
       this.#draw(renderer, scene);
       if (!drawnAt(this.collider, this.#center, seen.rMax)) {
-        this.#warn(
+        this.#warnings.once(
           'the collider did not draw at the character (disposed, context lost, or under a moved parent?); holding still.',
         );
         this.#center.copy(from);
@@ -298,18 +301,14 @@ export class CharacterController<R = unknown, S = unknown> {
   /** May this frame move? Else it has been told why, once. */
   #usable(delta: number): boolean {
     if (this.#disposed) {
-      this.#warn('used after dispose(); make a new one.');
+      this.#warnings.once('used after dispose(); make a new one.');
       return false;
     }
     if (Number.isFinite(delta) && delta >= 0) return true;
-    this.#warn(`"delta" must be seconds since the last frame, 0 or more (got ${delta}); holding.`);
+    this.#warnings.once(
+      `"delta" must be seconds since the last frame, 0 or more (got ${delta}); holding.`,
+    );
     return false;
-  }
-
-  #warn(message: string): void {
-    if (this.#warned.has(message)) return;
-    this.#warned.add(message);
-    console.warn(`CharacterController: ${message}`);
   }
 }
 

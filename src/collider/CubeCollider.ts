@@ -3,6 +3,7 @@ import { AxisMaxima } from '../cube/AxisMaxima.js';
 import { decodeSurface, type TexelFormat } from '../cube/encoding.js';
 import { texelDirections } from '../cube/texelDirections.js';
 import { SurfaceField } from '../field/SurfaceField.js';
+import { Warnings } from '../Warnings.js';
 import { ColliderResources } from './ColliderResources.js';
 import type { CollisionMaterials } from './CollisionMaterials.js';
 import {
@@ -65,7 +66,7 @@ export class CubeCollider extends Object3D implements ReadbackClient {
   readonly #scene = new PrivateScene();
   readonly #fields: SurfaceField[] = [];
   readonly #axisMaxima: AxisMaxima;
-  readonly #warned = new Set<string>();
+  readonly #warnings = new Warnings('CubeCollider');
   #field: SurfaceField | null = null;
   #hasMaxima = false;
   #gpu: ColliderResources | null = null;
@@ -155,8 +156,7 @@ export class CubeCollider extends Object3D implements ReadbackClient {
     this.updateWorldMatrix(true, false);
     const center = worldPosition.setFromMatrixPosition(this.matrixWorld);
     if (!Number.isFinite(center.x + center.y + center.z)) {
-      this.#warn(
-        'position',
+      this.#warnings.once(
         'its position is not finite; place it before updating. It keeps its last field.',
       );
       return;
@@ -332,18 +332,17 @@ export class CubeCollider extends Object3D implements ReadbackClient {
 
   #usable(renderer: WebGLRenderer, scene: Object3D): boolean {
     if (this.#disposed) {
-      this.#warn('disposed', 'it was disposed; make a new one.');
+      this.#warnings.once('it was disposed; make a new one.');
       return false;
     }
     if (!renderer || typeof renderer.getContext !== 'function') {
-      this.#warn(
-        'renderer',
+      this.#warnings.once(
         'update(renderer, scene) needs a WebGLRenderer. It keeps its last field.',
       );
       return false;
     }
     if (!scene?.isObject3D) {
-      this.#warn('scene', 'update(renderer, scene) needs a scene. It keeps its last field.');
+      this.#warnings.once('update(renderer, scene) needs a scene. It keeps its last field.');
       return false;
     }
     if (renderer.getContext().isContextLost()) {
@@ -366,11 +365,5 @@ export class CubeCollider extends Object3D implements ReadbackClient {
     }
     this.#gpu ??= new ColliderResources(renderer, this.#settings);
     return this.#gpu;
-  }
-
-  #warn(key: string, message: string): void {
-    if (this.#warned.has(key)) return;
-    this.#warned.add(key);
-    console.warn(`CubeCollider: ${message}`);
   }
 }
