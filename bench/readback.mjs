@@ -11,7 +11,12 @@ const { values } = parseArgs({
   options: { frames: { type: 'string', default: '150' }, json: { type: 'string' } },
 });
 const LOADS = { light: 6, 'just GPU-bound': 17, 'badly GPU-bound': 40 };
-const MODES = { sync: 'sync', fenced: 'fenced, copied at the next frame', async: 'async (ours)' };
+const MODES = {
+  sync: 'sync',
+  fenced: 'fenced, copied at the next frame',
+  async: 'async (ours)',
+  ask: '(none: asking WebGL for its clear colour)',
+};
 
 const found = await findBrowser();
 if (!found) throw new Error(ADVICE);

@@ -13,8 +13,11 @@ import {
 import { CubeCollider } from 'three-cube-collider';
 import { ReadbackRing } from '../src/collider/ReadbackRing.js';
 
-/** How a cubemap gets to the processor. The middle one is not in the product: it is what the product does better than. */
-export type ReadbackMode = 'sync' | 'fenced' | 'async';
+/**
+ * How a cubemap gets to the processor. 'fenced' is what the product does better than; 'ask' reads nothing, but asks
+ * WebGL for its clear colour, which the product therefore never does.
+ */
+export type ReadbackMode = 'sync' | 'fenced' | 'async' | 'ask';
 
 export interface ReadbackCase {
   mode: ReadbackMode;
@@ -100,6 +103,10 @@ export default async function readback({
           ring.start({ center: new Vector3(), time: performance.now(), serial, update: serial });
           renderer.setRenderTarget(null);
         }
+      } else if (mode === 'ask') {
+        const start = performance.now();
+        gl.getParameter(gl.COLOR_CLEAR_VALUE);
+        result.blocked.push(performance.now() - start);
       } else {
         // Read before the update: an asynchronous one arrived between two frames.
         if (mode === 'sync') collider.update(renderer, scene);
