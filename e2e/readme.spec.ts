@@ -1,0 +1,48 @@
+import { mkdir, readFile, writeFile } from 'node:fs/promises';
+import { expect, test } from './support/test.js';
+
+const readme = await readFile('README.md', 'utf8');
+
+test('@three the quick start of README should run as it stands, and walk', async ({ page }) => {
+  const code = /<!-- quick start.*?-->\s*```js\n(.*?)```/s.exec(readme)![1]!;
+  expect(code.trimEnd().split('\n').length).toBeLessThanOrEqual(25);
+  await mkdir('.cache', { recursive: true });
+  await writeFile('.cache/quickstart.js', code);
+  await page.route('**/quickstart.html', (route) =>
+    route.fulfill({
+      contentType: 'text/html',
+      body: '<!doctype html><body style="margin:0"><script type="module" src="/.cache/quickstart.js"></script>',
+    }),
+  );
+  await page.setViewportSize({ width: 240, height: 160 });
+  await page.goto('/quickstart.html');
+  const canvas = page.locator('canvas');
+  await expect(canvas).toBeVisible();
+  const picture = async () => (await canvas.screenshot()).toString('base64');
+  await expect
+    .poll(async () => (await picture()).length, { timeout: 60_000 })
+    .toBeGreaterThan(10_000);
+  // It has landed once two pictures in a row are the same.
+  const rest = async () => {
+    let last = '';
+    await expect
+      .poll(
+        async () => {
+          const now = await picture();
+          const same = now === last;
+          last = now;
+          return same;
+        },
+        { timeout: 60_000, intervals: [500] },
+      )
+      .toBe(true);
+    return last;
+  };
+  const before = await rest();
+  await canvas.click();
+  await page.keyboard.down('KeyW');
+  await expect.poll(picture, { timeout: 60_000, intervals: [500] }).not.toBe(before);
+  await page.keyboard.up('KeyW');
+  // It stops elsewhere than it began.
+  expect(await rest()).not.toBe(before);
+});
