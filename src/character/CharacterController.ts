@@ -213,7 +213,10 @@ export class CharacterController<R = unknown, S = unknown> {
     this.#wanted.copy(this.#walk).multiplyScalar(dt).add(this.#move);
     this.#move.set(0, 0, 0);
     const fall = (this.velocity.y - 0.5 * this.gravity * dt) * dt;
-    const length = Math.hypot(this.#wanted.x, this.#wanted.y + fall, this.#wanted.z);
+    const length = this.#travel
+      .copy(this.#wanted)
+      .setY(this.#wanted.y + fall)
+      .length();
     const longest = SUB_STEP_RATIO * (seen.rMax - seen.rMin);
     const steps = Math.min(MAX_SUB_STEPS, Math.max(1, Math.ceil(length / longest)));
     this.#wanted.divideScalar(steps);

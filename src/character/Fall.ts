@@ -56,7 +56,9 @@ export class Fall {
       // Mend of "if (dy<0)": pushed up is on the ground, unless it is still rising from it.
       this.airTime = 0;
       // Mend of "vy=0": downhill it keeps the slope's speed, up to 45°, or it would hop down every slope.
-      const down = Math.min(Math.max(0, from.y - to.y), Math.hypot(to.x - from.x, to.z - from.z));
+      const x = to.x - from.x;
+      const z = to.z - from.z;
+      const down = Math.min(Math.max(0, from.y - to.y), Math.sqrt(x * x + z * z));
       this.velocity.y = dt > 0 ? -down / dt : 0;
     } else if (push < 0 && this.velocity.y > 0) {
       // Mend: a ceiling ends a jump.

@@ -33,7 +33,7 @@ function knownFree(field: SurfaceField, place: Vector3, margin: number): boolean
   const x = place.x - field.center.x;
   const y = place.y - field.center.y;
   const z = place.z - field.center.z;
-  const distance = Math.hypot(x, y, z);
+  const distance = Math.sqrt(x * x + y * y + z * z);
   if (distance === 0) return true;
   return distance + margin < field.distance[directionTexel(x, y, z, field.resolution)]!;
 }

@@ -64,7 +64,7 @@ export function axisMaximaAt(field: SurfaceField, center: Vector3, target: AxisM
   const ox = field.center.x - center.x;
   const oy = field.center.y - center.y;
   const oz = field.center.z - center.z;
-  const farthest = rMax + Math.hypot(ox, oy, oz);
+  const farthest = rMax + Math.sqrt(ox * ox + oy * oy + oz * oz);
   target.center.copy(center);
   target.direction.fill(0);
   target.texel.fill(0);
