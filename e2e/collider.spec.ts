@@ -1,7 +1,9 @@
 import type { CubeColliderOptions } from 'three-cube-collider';
+import type contextLoss from './harness/contextLoss.js';
 import type clipping from './harness/clipping.js';
 import type fallback from './harness/fallback.js';
 import type lifecycle from './harness/lifecycle.js';
+import type onThePlane from './harness/onThePlane.js';
 import type readbacks from './harness/readbacks.js';
 import type surface from './harness/surface.js';
 import type untouched from './harness/untouched.js';
@@ -145,6 +147,18 @@ test.describe('reading back', () => {
   });
 });
 
+test('should lose no triangle that reaches through a face camera’s plane', async ({ page }) => {
+  const reports = await runInPage<Awaited<ReturnType<typeof onThePlane>>>(
+    page,
+    '/e2e/harness/onThePlane.ts',
+  );
+  for (const { expected, missed, worst } of reports) {
+    expect(expected).toBeGreaterThan(2000);
+    expect(missed).toBe(0);
+    expect(worst).toBeLessThan(0.001);
+  }
+});
+
 test('should cut the cubemap by the user’s clipping planes as the picture is cut', async ({
   page,
 }) => {
@@ -176,6 +190,27 @@ test.describe('a collider’s life', () => {
       expect(report.warnings).toHaveLength(4);
       for (const warning of report.warnings) expect(warning).toMatch(/^CubeCollider: /);
       expect(report.recovered).toBe(1);
+    });
+  }
+});
+
+test.describe('a lost context', () => {
+  for (const options of [{}, { output: 'axis' }] satisfies CubeColliderOptions[]) {
+    test(`should hold the character, and let it walk on once restored: ${JSON.stringify(options)}`, async ({
+      page,
+    }) => {
+      const report = await runInPage<Awaited<ReturnType<typeof contextLoss>>>(
+        page,
+        '/e2e/harness/contextLoss.ts',
+        options,
+      );
+      expect(report.began).toBeGreaterThan(0.05);
+      expect(report.heldStill).toBe(0);
+      expect(report.readyWhileLost).toBe(false);
+      expect(report.resumed).toBeGreaterThan(0.05);
+      expect(report.again).toBeGreaterThan(0.05);
+      expect(report.readsAfter).toBeGreaterThan(5);
+      expect(Math.abs(report.foot + 1)).toBeLessThan(0.01);
     });
   }
 });

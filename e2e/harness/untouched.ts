@@ -48,8 +48,9 @@ class UserApp {
 
   constructor() {
     const { renderer, scene, camera } = this;
-    renderer.setSize(96, 96);
+    // At this ratio three rounds the viewport when it is set, and floors it when the canvas is bound.
     renderer.setPixelRatio(1.5);
+    renderer.setSize(97, 95);
     renderer.shadowMap.enabled = true;
     renderer.shadowMap.autoUpdate = false;
     renderer.shadowMap.needsUpdate = true;
@@ -219,7 +220,10 @@ export default async function untouched(options: CubeColliderOptions): Promise<U
     differences(before, app.state(identify));
   };
 
-  // Between frames, with the canvas bound; then with a target of the user's, its scissor set and clearing off.
+  // Just after the user set a viewport, between frames with the canvas bound; then with a target of the user's, its scissor set and clearing off.
+  app.renderer.setViewport(0, 0, 97, 95);
+  probe();
+  app.renderer.setRenderTarget(null);
   probe();
   app.renderer.setRenderTarget(app.post);
   app.renderer.autoClear = app.renderer.autoClearDepth = app.renderer.sortObjects = false;
@@ -231,7 +235,7 @@ export default async function untouched(options: CubeColliderOptions): Promise<U
   probe();
   app.renderer.shadowMap.needsUpdate = false;
   app.renderer.setScissorTest(false);
-  app.renderer.setViewport(0, 0, 96, 96);
+  app.renderer.setViewport(0, 0, 97, 95);
   app.renderer.info.autoReset = app.renderer.sortObjects = app.renderer.autoClearDepth = true;
   app.renderer.autoClear = true;
   app.renderer.setRenderTarget(null);

@@ -23,6 +23,8 @@ export class ColliderResources {
   constructor(
     readonly renderer: WebGLRenderer,
     settings: CubeColliderSettings,
+    /** Called when the context is lost, while deleting what it held is still allowed. */
+    readonly onLost: () => void,
   ) {
     const gl = renderer.getContext() as WebGL2RenderingContext;
     const { resolution, near, far, output } = settings;
@@ -42,9 +44,11 @@ export class ColliderResources {
       ? new ReadbackRing(gl, 6, 1, false)
       : new ReadbackRing(gl, width, height, float);
     this.scheduler = ReadbackScheduler.of(gl);
+    renderer.domElement.addEventListener('webglcontextlost', onLost);
   }
 
   dispose(): void {
+    this.renderer.domElement.removeEventListener('webglcontextlost', this.onLost);
     this.atlas.dispose();
     this.materials.dispose();
     this.axis?.dispose();

@@ -20,6 +20,7 @@ export interface CollisionMaterialSettings {
   readonly sides: 'both' | 'drawn';
   readonly format: TexelFormat;
   readonly resolution: number;
+  readonly near: number;
   readonly far: number;
   readonly rMin: number;
   readonly rMax: number;
@@ -63,7 +64,7 @@ export class CollisionMaterials {
   }
 
   #create(side: Side): ShaderMaterial {
-    const { output, sides, format, resolution, far, rMin, rMax } = this.#settings;
+    const { output, sides, format, resolution, near, far, rMin, rMax } = this.#settings;
     const axis = output === 'axis';
     return new ShaderMaterial({
       name: `CubeCollider ${output}`,
@@ -71,6 +72,7 @@ export class CollisionMaterials {
       fragmentShader: axis ? axisFragmentShader : surfaceFragmentShader(format),
       uniforms: {
         resolution: { value: resolution },
+        near: { value: near },
         ...(axis
           ? { rMin: { value: rMin }, rMax: { value: rMax } }
           : { far: { value: far }, frontSign: { value: side === BackSide ? -1 : 1 } }),

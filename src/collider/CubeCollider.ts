@@ -227,9 +227,7 @@ export class CubeCollider extends Object3D implements ReadbackClient {
 
   /** Frees everything on the GPU. Afterwards `update` does nothing. */
   override dispose(): void {
-    this.invalidate();
-    this.#gpu?.dispose();
-    this.#gpu = null;
+    this.#release();
     this.#disposed = true;
   }
 
@@ -345,25 +343,20 @@ export class CubeCollider extends Object3D implements ReadbackClient {
       this.#warnings.once('update(renderer, scene) needs a scene. It keeps its last field.');
       return false;
     }
-    if (renderer.getContext().isContextLost()) {
-      // Everything on the GPU is gone; three builds its part anew once the context is back.
-      if (this.#gpu !== null) {
-        this.#gpu.scheduler.cancel(this);
-        this.#gpu = null;
-        this.invalidate();
-      }
-      return false;
-    }
+    if (renderer.getContext().isContextLost()) return false;
     return true;
   }
 
+  /** Lets go of all that is on a GPU: disposed, another renderer, or the context lost (the next update begins anew). */
+  readonly #release = (): void => {
+    this.invalidate();
+    this.#gpu?.dispose();
+    this.#gpu = null;
+  };
+
   #resources(renderer: WebGLRenderer): ColliderResources {
-    if (this.#gpu !== null && this.#gpu.renderer !== renderer) {
-      this.invalidate();
-      this.#gpu.dispose();
-      this.#gpu = null;
-    }
-    this.#gpu ??= new ColliderResources(renderer, this.#settings);
+    if (this.#gpu !== null && this.#gpu.renderer !== renderer) this.#release();
+    this.#gpu ??= new ColliderResources(renderer, this.#settings, this.#release);
     return this.#gpu;
   }
 }

@@ -6,8 +6,8 @@ const current = new Vector4();
  * What a draw of ours changes on the user's renderer, taken before and put back after.
  *
  * Tone mapping and colour space need nothing: three ignores them for a render target. The clear colour is never
- * touched (`PrivateScene`, `clearTexels`). Viewport and scissor come back with the canvas; only where the user has a
- * target of his own bound may they differ from that target's, and are kept here. Nothing here waits for the GPU.
+ * touched (`PrivateScene`, `clearTexels`). Viewport and scissor come back with the canvas; where the user has a target of his
+ * own bound they may differ from that target's, and are kept here. Nothing here waits for the GPU.
  */
 export class RendererState {
   #target: RenderTarget | null = null;
@@ -30,8 +30,8 @@ export class RendererState {
     this.#target = renderer.getRenderTarget();
     this.#face = renderer.getActiveCubeFace();
     this.#mip = renderer.getActiveMipmapLevel();
+    renderer.getCurrentViewport(this.#viewport);
     if (this.#target !== null) {
-      renderer.getCurrentViewport(this.#viewport);
       const gl = renderer.getContext();
       this.#scissorTest = gl.isEnabled(gl.SCISSOR_TEST);
       if (this.#scissorTest) this.#scissor.fromArray(gl.getParameter(gl.SCISSOR_BOX) as Int32Array);
@@ -64,13 +64,15 @@ export class RendererState {
     renderer.autoClear = this.#autoClear;
     renderer.xr.enabled = this.#xr;
     renderer.setRenderTarget(this.#target as never, this.#face, this.#mip);
-    if (this.#target === null) return;
+    const canvas = this.#target === null;
     if (!renderer.getCurrentViewport(current).equals(this.#viewport)) {
-      // The user called setViewport with his target bound: once more makes it current again.
+      // The user called setViewport with his target bound; or the pixel ratio is broken, and three rounds a viewport
+      // that is set but floors it when the canvas is bound. Setting it once more makes it current again.
       renderer.setViewport(renderer.getViewport(current));
-      renderer.state.viewport(this.#viewport);
+      if (canvas) renderer.setScissor(renderer.getScissor(current));
+      else renderer.state.viewport(this.#viewport);
     }
-    if (this.#scissorTest) {
+    if (!canvas && this.#scissorTest) {
       renderer.state.scissor(this.#scissor);
       renderer.state.setScissorTest(true);
     }

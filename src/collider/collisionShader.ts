@@ -14,6 +14,7 @@ export const collisionVertexShader = /* glsl */ `
 #include <skinning_pars_vertex>
 #include <logdepthbuf_pars_vertex>
 #include <clipping_planes_pars_vertex>
+uniform float near;
 varying vec3 vFromCenter; // from the cubemap's centre to the surface, world axes
 
 void main() {
@@ -24,6 +25,9 @@ void main() {
   #include <skinbase_vertex>
   #include <skinning_vertex>
   #include <project_vertex>
+  // A vertex in the face camera's own plane has w = 0, and a rasteriser that interpolates before it clips (SwiftShader)
+  // then loses the whole triangle. It is clipped at any rate: move it a little.
+  if ( abs( gl_Position.w ) < 0.1 * near ) gl_Position.w = gl_Position.w < 0.0 ? - 0.1 * near : 0.1 * near;
   #include <logdepthbuf_vertex>
   #include <clipping_planes_vertex>
   vFromCenter = ( vec4( mvPosition.xyz, 0.0 ) * viewMatrix ).xyz;

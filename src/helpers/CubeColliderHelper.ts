@@ -36,8 +36,6 @@ export interface CubeColliderHelperOptions {
 const _drawing = /* @__PURE__ */ new Vector2();
 const _viewport = /* @__PURE__ */ new Vector4();
 const _scissor = /* @__PURE__ */ new Vector4();
-const _pixels = /* @__PURE__ */ new Vector4();
-const _drawn = /* @__PURE__ */ new Vector4();
 
 /**
  * Shows what a collider sees, live: its six faces unfolded into a cross (see `unfold.ts`), bright where something is
@@ -132,7 +130,6 @@ export class CubeColliderHelper {
       : _drawing.y - this.margin - height;
 
     const scissorTest = renderer.getScissorTest();
-    renderer.getCurrentViewport(_pixels);
     renderer.getViewport(_viewport);
     renderer.getScissor(_scissor);
     this.#state.enter(renderer);
@@ -147,11 +144,6 @@ export class CubeColliderHelper {
       renderer.setScissor(_scissor);
       renderer.setScissorTest(scissorTest);
       this.#state.leave(renderer);
-      // At a broken pixel ratio three rounds a viewport that is set, but cuts it when a target is.
-      if (!renderer.getCurrentViewport(_drawn).equals(_pixels)) {
-        renderer.setViewport(_viewport);
-        renderer.setScissor(_scissor);
-      }
     }
   }
 

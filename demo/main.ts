@@ -1,0 +1,228 @@
+import { MathUtils, PerspectiveCamera, Scene, Timer, Vector3, WebGLRenderer } from 'three';
+import {
+  CharacterController,
+  CharacterControls,
+  CubeCollider,
+  DEFAULTS,
+} from 'three-cube-collider';
+import { CubeColliderHelper } from 'three-cube-collider/helpers';
+import { createAvatar } from './avatar.js';
+import { addLighting, type Lighting } from './lighting.js';
+import { loadLevel } from './loadLevel.js';
+import { element, onReducedMotion } from './page.js';
+import { createPanel, type Settings } from './panel.js';
+import { DEFAULT_LEVEL, readParameters } from './parameters.js';
+import { Readout } from './Readout.js';
+import { StartScreen } from './StartScreen.js';
+
+/** Below this the character has fallen into the pit, metres. */
+const ABYSS = -8;
+
+const { radius, height } = DEFAULTS.character;
+const parameters = readParameters(location.search);
+
+function start(screen: StartScreen) {
+  const canvas = element<HTMLCanvasElement>('picture');
+  const renderer = new WebGLRenderer({ canvas, antialias: true });
+  renderer.setPixelRatio(parameters.pixelRatio);
+  const scene = new Scene();
+  const camera = new PerspectiveCamera(70, 1, 0.05, 250);
+  const avatar = createAvatar();
+  scene.add(avatar.object);
+
+  const settings: Settings = {
+    view: parameters.view,
+    output: parameters.output,
+    resolution: parameters.resolution,
+    readback: DEFAULTS.collider.readback,
+    far: DEFAULTS.collider.far,
+    helper: parameters.helper,
+  };
+  let collider = createCollider(settings);
+  let character = createCharacter();
+  const controls = new CharacterControls(character, camera, canvas, { view: settings.view });
+  const helper = new CubeColliderHelper(collider);
+  helper.visible = settings.helper;
+  const timer = new Timer();
+  timer.connect(document);
+  const spawn = new Vector3();
+  let lighting: Lighting | null = null;
+
+  function createCharacter(): CharacterController<WebGLRenderer, Scene> {
+    return new CharacterController(collider, { radius, height, avatar: avatar.object });
+  }
+
+  /** One turn of the loop. */
+  function frame(delta: number): void {
+    controls.update(delta);
+    character.update(renderer, scene, delta);
+    if (character.position.y < ABYSS) character.teleport(spawn);
+    controls.follow(delta);
+
+    lighting?.update(character.position);
+    avatar.animate(
+      delta,
+      Math.hypot(character.velocity.x, character.velocity.z),
+      character.grounded,
+    );
+
+    renderer.render(scene, camera);
+    helper.render(renderer);
+  }
+
+  function run(): void {
+    renderer.setAnimationLoop((time) => {
+      timer.update(time);
+      const delta = timer.getDelta();
+      frame(delta);
+      readout?.update(delta, character, collider);
+    });
+  }
+
+  /** A new collider for new settings; the character goes on where it is. */
+  function exchangeCollider(): void {
+    const old = { collider, character };
+    old.character.dispose();
+    collider = createCollider(settings);
+    character = createCharacter();
+    character.teleport(old.character.position);
+    controls.character = character;
+    helper.collider = collider;
+    old.collider.dispose();
+  }
+
+  function apply(what: 'view' | 'helper' | 'collider'): void {
+    controls.view = settings.view;
+    helper.visible = settings.helper;
+    document.body.classList.toggle('helper', settings.helper);
+    if (what === 'collider') exchangeCollider();
+    panel?.refresh();
+  }
+
+  async function load(): Promise<void> {
+    const level = await loadLevel(parameters.level, (part) => screen.loading(part));
+    screen.preparing();
+    lighting = addLighting(scene, renderer);
+    scene.add(level.root);
+    spawn.copy(level.spawn.position);
+    character.teleport(spawn);
+    controls.yaw = level.spawn.yaw;
+    await collider.compile(renderer, scene);
+    await renderer.compileAsync(scene, camera);
+    frame(0);
+    run();
+    screen.ready();
+  }
+
+  // What lies over the picture.
+  const readout = parameters.ui ? new Readout() : null;
+  const panel = parameters.ui ? createPanel(settings, apply) : null;
+  const hint = element('hint');
+  controls.enabled = !parameters.ui;
+  if (!parameters.ui) screen.hide();
+  apply('view');
+
+  function walk(): void {
+    controls.enabled = true;
+    document.body.classList.add('walking');
+    if (window.matchMedia('(pointer: fine)').matches) {
+      canvas.focus({ preventScroll: true });
+      void controls.lock();
+    }
+    hint.hidden = readout === null;
+  }
+
+  window.addEventListener('keydown', (event) => {
+    const { code, repeat, ctrlKey, altKey, metaKey, target } = event;
+    if (!controls.enabled || repeat || ctrlKey || altKey || metaKey) return;
+    if (target instanceof HTMLInputElement || target instanceof HTMLSelectElement) return;
+    if (code === 'KeyV') {
+      settings.view = settings.view === 'first' ? 'third' : 'first';
+      apply('view');
+    } else if (code === 'KeyH') {
+      settings.helper = !settings.helper;
+      apply('helper');
+    }
+  });
+  for (const type of ['lock', 'unlock'] as const) {
+    controls.addEventListener(type, () => {
+      document.body.classList.toggle('captured', controls.isLocked);
+      hint.hidden = readout === null || controls.isLocked;
+    });
+  }
+  onReducedMotion((reduced) => (controls.smoothing = reduced ? Infinity : 1));
+  const resize = () => {
+    renderer.setSize(window.innerWidth, window.innerHeight, false);
+    fit(camera, window.innerWidth / window.innerHeight);
+  };
+  window.addEventListener('resize', resize);
+  resize();
+
+  const ready = load().catch((error: unknown) => {
+    console.error(error);
+    screen.fail(
+      error,
+      parameters.level === DEFAULT_LEVEL
+        ? 'Make it with “npm run build:level”, then try again.'
+        : 'Is the address after “?level=” right, and is it a GLB or glTF file?',
+    );
+  });
+
+  return {
+    renderer,
+    scene,
+    camera,
+    controls,
+    helper,
+    settings,
+    spawn,
+    /** Resolved once one can walk, or the page has said why not. */
+    ready,
+    walk,
+    apply,
+    get collider() {
+      return collider;
+    },
+    get character() {
+      return character;
+    },
+    /** Stops the loop and goes on by hand: `frames` of `delta` seconds each, alike on every machine. */
+    async step(frames: number, delta = 1 / 60): Promise<void> {
+      renderer.setAnimationLoop(null);
+      for (let i = 0; i < frames; i++) {
+        frame(delta);
+        if (collider.readback === 'async') await collider.updateAsync(renderer, scene);
+      }
+    },
+    run,
+  };
+}
+
+function createCollider({ output, resolution, readback, far }: Settings): CubeCollider {
+  return output === 'axis'
+    ? new CubeCollider({ output, resolution, rMin: radius / 2, rMax: radius })
+    : new CubeCollider({ output, resolution, readback, far });
+}
+
+/** 70° high; on an upright phone at least 50° wide. */
+function fit(camera: PerspectiveCamera, aspect: number): void {
+  const wide = 2 * Math.atan(Math.tan(MathUtils.degToRad(50) / 2) / aspect);
+  camera.aspect = aspect;
+  camera.fov = Math.max(70, MathUtils.radToDeg(wide));
+  camera.updateProjectionMatrix();
+}
+
+declare global {
+  interface Window {
+    /** For the console and for tests. */
+    demo: ReturnType<typeof start>;
+  }
+}
+
+const screen = new StartScreen(() => window.demo.walk());
+try {
+  window.demo = start(screen);
+} catch (error) {
+  console.error(error);
+  screen.fail(error, 'This page needs WebGL 2: is hardware acceleration switched off?');
+}

@@ -1,0 +1,33 @@
+/** What the page's address asks for: `?view=third&output=surface&helper=1`. */
+export interface Parameters {
+  /** Address of the level. */
+  level: string;
+  view: 'first' | 'third';
+  /** Texels per face edge. */
+  resolution: number;
+  output: 'axis' | 'surface';
+  /** Shows what the collider sees. */
+  helper: boolean;
+  /** False hides everything but the picture. */
+  ui: boolean;
+  pixelRatio: number;
+}
+
+export const DEFAULT_LEVEL = `${import.meta.env.BASE_URL}level.glb`;
+
+export const RESOLUTIONS = [8, 16, 32, 64];
+
+/** Takes what it understands and leaves the rest at what it is without. */
+export function readParameters(search: string): Parameters {
+  const query = new URLSearchParams(search);
+  const resolution = Number(query.get('resolution'));
+  return {
+    level: query.get('level') ?? DEFAULT_LEVEL,
+    view: query.get('view') === 'third' ? 'third' : 'first',
+    resolution: RESOLUTIONS.includes(resolution) ? resolution : 32,
+    output: query.get('output') === 'surface' ? 'surface' : 'axis',
+    helper: query.get('helper') === '1',
+    ui: query.get('ui') !== '0',
+    pixelRatio: Number(query.get('dpr')) || Math.min(window.devicePixelRatio, 2),
+  };
+}
