@@ -14,6 +14,7 @@ const demo: UserConfig = {
   root: here('demo'),
   publicDir: here('public'),
   base: './',
+  appType: 'mpa', // a missing level is an error, not the page itself
   resolve: { alias },
   server: { fs: { allow: [here('.')] } },
   build: { outDir: here('dist-demo'), emptyOutDir: true, chunkSizeWarningLimit: 1200 },

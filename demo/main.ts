@@ -12,6 +12,7 @@ import { loadLevel } from './loadLevel.js';
 import { element, onReducedMotion } from './page.js';
 import { createPanel, type Settings } from './panel.js';
 import { DEFAULT_LEVEL, readParameters } from './parameters.js';
+import { Quality } from './Quality.js';
 import { Readout } from './Readout.js';
 import { StartScreen } from './StartScreen.js';
 
@@ -76,6 +77,7 @@ function start(screen: StartScreen) {
       const delta = timer.getDelta();
       frame(delta);
       readout?.update(delta, character, collider);
+      quality?.update(delta);
     });
   }
 
@@ -116,6 +118,7 @@ function start(screen: StartScreen) {
 
   // What lies over the picture.
   const readout = parameters.ui ? new Readout() : null;
+  const quality = parameters.adaptive ? new Quality(renderer, scene) : null;
   const panel = parameters.ui ? createPanel(settings, apply) : null;
   const hint = element('hint');
   controls.enabled = !parameters.ui;

@@ -11,6 +11,8 @@ export interface Parameters {
   /** False hides everything but the picture. */
   ui: boolean;
   pixelRatio: number;
+  /** Draws fewer pixels where the GPU is slow; not if the address says how many. */
+  adaptive: boolean;
 }
 
 export const DEFAULT_LEVEL = `${import.meta.env.BASE_URL}level.glb`;
@@ -28,6 +30,7 @@ export function readParameters(search: string): Parameters {
     output: query.get('output') === 'surface' ? 'surface' : 'axis',
     helper: query.get('helper') === '1',
     ui: query.get('ui') !== '0',
+    adaptive: !query.has('dpr') && query.get('ui') !== '0',
     pixelRatio: Number(query.get('dpr')) || Math.min(window.devicePixelRatio, 2),
   };
 }

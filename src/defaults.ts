@@ -51,6 +51,14 @@ export const DEFAULTS = {
     eyeHeight: 1.6,
     /** Radians a pixel of mouse travel. */
     sensitivity: 0.002,
+    /** Captures the pointer on a click; where it may not, dragging looks around. */
+    pointerLock: true,
+    /** Asks for the mouse's own travel, without the system's acceleration. */
+    unadjustedMovement: false,
+    /** How fast the wanted velocity is taken up, 1/s. */
+    agility: 12,
+    /** Scale of the camera's smoothing rate; Infinity settles at once. */
+    smoothing: 1,
     /** Largest pitch either way. */
     maxPitch: (85 * Math.PI) / 180,
     /** Third person: camera's distance from the head. */

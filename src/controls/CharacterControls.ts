@@ -83,16 +83,16 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
   /** Farthest the wheel takes the camera, metres. @default 7 */
   maxDistance: number = DEFAULTS.controls.maxDistance;
   /** Whether a click captures the pointer; if not, dragging looks. @default true */
-  pointerLock = true;
+  pointerLock: boolean = DEFAULTS.controls.pointerLock;
   /** Whether to ask for raw mouse travel, without the system's acceleration. @default false */
-  unadjustedMovement = false;
+  unadjustedMovement: boolean = DEFAULTS.controls.unadjustedMovement;
   /** How fast it takes up a new velocity, 1/s: 12 is there in a fifth of a second, Infinity at once. @default 12 */
-  agility = 12;
+  agility: number = DEFAULTS.controls.agility;
   /**
    * Scales how fast camera and avatar settle: 1 as made, 2 twice as fast, Infinity at once, which is right for
    * `prefers-reduced-motion`. The head never bobs. @default 1
    */
-  smoothing = 1;
+  smoothing: number = DEFAULTS.controls.smoothing;
   /** Keys of each action, by `KeyboardEvent.code`: WASD or arrows, Shift runs, Space jumps. */
   keys: KeyMap = defaultKeys();
   /** Direction of the view about +Y, radians: 0 looks along -Z, growing turns left. Read from the camera at first. */
