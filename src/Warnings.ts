@@ -5,9 +5,10 @@ export class Warnings {
   /** @param name the class on whose behalf it warns */
   constructor(readonly name: string) {}
 
-  once(message: string): void {
-    if (this.#said.has(message)) return;
-    this.#said.add(message);
+  /** @param key what counts as the same thing, if the message itself varies */
+  once(message: string, key = message): void {
+    if (this.#said.has(key)) return;
+    this.#said.add(key);
     console.warn(`${this.name}: ${message}`);
   }
 }

@@ -24,6 +24,8 @@ export const DEFAULTS = {
     format: 'auto',
     /** How far it may move from its newest field before `update` waits for the next, as a part of the reach. */
     slackRatio: 0.25,
+    /** How old its newest field may be before `update` waits for the next. */
+    maxAge: 0.5,
   },
   character: {
     radius: 0.35,

@@ -17,4 +17,4 @@ export type { TexelFormat } from './cube/encoding.js';
 export { DEFAULTS } from './defaults.js';
 export { SurfaceField, type SurfaceSample, type SurfaceSampler } from './field/SurfaceField.js';
 export { AxisResponse, type AxisResponseOptions } from './response/AxisResponse.js';
-export type { Response } from './response/Response.js';
+export type { CollisionResponse } from './response/CollisionResponse.js';

@@ -75,17 +75,7 @@ export default async function surface(test: SurfaceCase): Promise<SurfaceReport>
     const distanceError = Math.abs(field.distance[texel]! - hit.distance);
     const normalError = normal.distanceTo(new Vector3().fromArray(field.normal, 3 * texel));
     if (!(distanceError <= 0.01 && normalError <= 0.02)) {
-      if (!atEdge(ray, hit, meshes, center, direction, 1 / field.resolution)) {
-        report.unexplained++;
-        console.log(
-          'UNEX',
-          texel,
-          distanceError,
-          normalError,
-          hit.distance,
-          Math.abs(normal.dot(direction)),
-        );
-      }
+      if (!atEdge(ray, hit, meshes, center, direction, 1 / field.resolution)) report.unexplained++;
       continue;
     }
     report.good++;

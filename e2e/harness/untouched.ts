@@ -223,8 +223,12 @@ export default async function untouched(options: CubeColliderOptions): Promise<U
   // Just after the user set a viewport, between frames with the canvas bound; then with a target of the user's, its scissor set and clearing off.
   app.renderer.setViewport(0, 0, 97, 95);
   probe();
+  app.renderer.setScissorTest(true);
+  app.renderer.setScissor(1, 1, 5, 5);
+  probe();
   app.renderer.setRenderTarget(null);
   probe();
+  app.renderer.setScissorTest(false);
   app.renderer.setRenderTarget(app.post);
   app.renderer.autoClear = app.renderer.autoClearDepth = app.renderer.sortObjects = false;
   app.renderer.info.autoReset = false;
@@ -238,6 +242,11 @@ export default async function untouched(options: CubeColliderOptions): Promise<U
   app.renderer.setViewport(0, 0, 97, 95);
   app.renderer.info.autoReset = app.renderer.sortObjects = app.renderer.autoClearDepth = true;
   app.renderer.autoClear = true;
+  app.post.scissorTest = true;
+  app.renderer.setRenderTarget(app.post);
+  app.renderer.setScissorTest(false);
+  probe();
+  app.post.scissorTest = false;
   app.renderer.setRenderTarget(null);
   await collider.updateAsync(app.renderer, app.scene);
   probe();

@@ -2,7 +2,7 @@ import { Vector3, type Object3D } from 'three';
 import { AxisMaxima } from '../cube/AxisMaxima.js';
 import { DEFAULTS } from '../defaults.js';
 import { clipWish } from '../response/clipWish.js';
-import type { Response } from '../response/Response.js';
+import type { CollisionResponse } from '../response/CollisionResponse.js';
 import { Warnings } from '../Warnings.js';
 import type { CharacterCollider } from './CharacterCollider.js';
 import { checkCharacterOptions, checkVector, type CharacterOptions } from './characterOptions.js';
@@ -11,6 +11,8 @@ import { drawnAt, surroundings, vouchedTravel, vouchesFor } from './surroundings
 
 /** Most sub-steps a frame; with a 'sync' collider each of them draws. */
 const MAX_SUB_STEPS = 4;
+/** Steps in a row without vouching surfaces after which it says so. */
+const PATIENCE = 60;
 /** Longest travel of a sub-step while there are sub-steps left, as a part of rMax - rMin. */
 const SUB_STEP_RATIO = 0.5;
 
@@ -60,7 +62,7 @@ export class CharacterController<R = unknown, S = unknown> {
   terminalSpeed: number;
   /** Rise of a jump's foot, metres. */
   jumpHeight: number;
-  response: Response;
+  response: CollisionResponse;
   readonly avatar: Object3D | null;
 
   readonly #walk = new Vector3();
@@ -79,6 +81,7 @@ export class CharacterController<R = unknown, S = unknown> {
   readonly #warnings = new Warnings('CharacterController');
   readonly #fall = new Fall(this.velocity);
   #disposed = false;
+  #unvouched = 0;
 
   /**
    * @param collider drawn and read by `update`; its place is set in world space, so leave it without a moved parent.
@@ -177,7 +180,6 @@ export class CharacterController<R = unknown, S = unknown> {
       this.#warnings.once(
         'update(renderer, scene, delta) needs a renderer and a scene; holding still.',
       );
-      this.#rest();
     } else if (this.collider.readback === 'sync' && this.ready) {
       this.#advance(delta, renderer, scene);
     } else {
@@ -201,11 +203,19 @@ export class CharacterController<R = unknown, S = unknown> {
     let seen = surroundings(this.collider, this.#center, this.#scratch);
     if (seen === null) {
       this.#rest();
+      if (this.collider.field !== null && ++this.#unvouched === PATIENCE) {
+        this.#warnings.once(
+          'the collider has surfaces, but none that vouch for the body, so it never moves: give the collider more ' +
+            'reach ("far") or "resolution" for this radius, and no moved parent.',
+        );
+      }
       return;
     }
+    this.#unvouched = 0;
     if (Math.abs(seen.rMax - this.body.radius) > this.body.radius / 1000) {
       this.#warnings.once(
         `"radius" should equal the collider's rMax; the latter is taken (got ${this.body.radius}, ${seen.rMax}).`,
+        'radius',
       );
     }
     // Mend: dt is bounded, a page that slept goes on where it was.
@@ -310,6 +320,7 @@ export class CharacterController<R = unknown, S = unknown> {
     if (Number.isFinite(delta) && delta >= 0) return true;
     this.#warnings.once(
       `"delta" must be seconds since the last frame, 0 or more (got ${delta}); holding.`,
+      'delta',
     );
     return false;
   }

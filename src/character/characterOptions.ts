@@ -1,7 +1,7 @@
 import type { Object3D, Vector3 } from 'three';
 import { DEFAULTS } from '../defaults.js';
 import { AxisResponse } from '../response/AxisResponse.js';
-import type { Response } from '../response/Response.js';
+import type { CollisionResponse } from '../response/CollisionResponse.js';
 
 /** How a character is built and moves. Metres and seconds; defaults are in `DEFAULTS.character`. */
 export interface CharacterOptions {
@@ -16,7 +16,7 @@ export interface CharacterOptions {
   /** Rise of a jump's foot, >= 0. Default 1.1. */
   jumpHeight?: number;
   /** Turns contacts into displacements. Default a new `AxisResponse`. */
-  response?: Response;
+  response?: CollisionResponse;
   /** What is drawn of the character: left out of its own cubemap, and moved by controls. Default none. */
   avatar?: Object3D | null;
 }
@@ -27,7 +27,7 @@ export type CheckedCharacterOptions = Required<CharacterOptions>;
 /**
  * Fills in defaults and checks.
  *
- * @throws RangeError for a number out of its range, TypeError for what is no `Response` or no `Object3D`
+ * @throws RangeError for a number out of its range, TypeError for what is no `CollisionResponse` or no `Object3D`
  */
 export function checkCharacterOptions({
   radius = DEFAULTS.character.radius,

@@ -7,7 +7,7 @@ import type { CubeColliderSettings } from './CubeColliderOptions.js';
 import { FaceCameras } from './FaceCameras.js';
 import { ReadbackRing } from './ReadbackRing.js';
 import { ReadbackScheduler } from './ReadbackScheduler.js';
-import { bestTexelFormat, createTexelTarget } from './texelTarget.js';
+import { bestTexelFormat, canDraw, createTexelTarget } from './texelTarget.js';
 
 /** Everything a collider keeps on one renderer's GPU. */
 export class ColliderResources {
@@ -18,7 +18,10 @@ export class ColliderResources {
   /** The search for the maxima; null if surfaces are read. */
   readonly axis: AxisPass | null;
   readonly ring: ReadbackRing;
-  readonly scheduler: ReadbackScheduler;
+  /** Pending while programs are being compiled. */
+  compiling: Promise<unknown> | null = null;
+  /** Finds the moments for asynchronous reads; null if they are synchronous. */
+  readonly scheduler: ReadbackScheduler | null;
 
   constructor(
     readonly renderer: WebGLRenderer,
@@ -29,11 +32,7 @@ export class ColliderResources {
     const gl = renderer.getContext() as WebGL2RenderingContext;
     const { resolution, near, far, output } = settings;
     const axis = output === 'axis';
-    this.format = axis
-      ? 'RGBA8'
-      : settings.format === 'auto'
-        ? bestTexelFormat(gl)
-        : settings.format;
+    this.format = axis ? 'RGBA8' : usableFormat(gl, settings.format);
     const { width, height } = atlasSize(resolution);
     this.atlas = createTexelTarget(width, height, this.format, true);
     this.cameras = new FaceCameras(resolution, near, far);
@@ -43,15 +42,26 @@ export class ColliderResources {
     this.ring = axis
       ? new ReadbackRing(gl, 6, 1, false)
       : new ReadbackRing(gl, width, height, float);
-    this.scheduler = ReadbackScheduler.of(gl);
+    this.scheduler = settings.readback === 'async' ? ReadbackScheduler.of(gl) : null;
     renderer.domElement.addEventListener('webglcontextlost', onLost);
   }
 
   dispose(): void {
     this.renderer.domElement.removeEventListener('webglcontextlost', this.onLost);
+    // three still asks for the programs of materials that it is compiling.
+    if (this.compiling !== null) void this.compiling.finally(() => this.#free());
+    else this.#free();
+  }
+
+  #free(): void {
     this.atlas.dispose();
     this.materials.dispose();
     this.axis?.dispose();
     this.ring.dispose();
   }
+}
+
+/** The format asked for, if the context can draw it; else the best that it can. */
+function usableFormat(gl: WebGL2RenderingContext, wanted: TexelFormat | 'auto'): TexelFormat {
+  return wanted !== 'auto' && canDraw(gl, wanted) ? wanted : bestTexelFormat(gl);
 }

@@ -13,6 +13,7 @@ import {
   collisionVertexShader,
   surfaceFragmentShader,
 } from './collisionShader.js';
+import { isSolid } from './isSolid.js';
 
 /** What the materials must know of their collider. */
 export interface CollisionMaterialSettings {
@@ -33,6 +34,8 @@ export interface CollisionMaterialSettings {
 export class CollisionMaterials {
   readonly #settings: CollisionMaterialSettings;
   readonly #bySide = new Map<Side, ShaderMaterial>();
+  /** For groups that are no obstacle, or have no material. */
+  readonly #nothing = new ShaderMaterial({ visible: false });
   readonly #arrays = new WeakMap<Material[], ShaderMaterial[]>();
 
   constructor(settings: CollisionMaterialSettings) {
@@ -46,8 +49,8 @@ export class CollisionMaterials {
     if (materials === undefined) this.#arrays.set(source, (materials = []));
     materials.length = source.length;
     for (let i = 0; i < source.length; i++) {
-      // three draws no group without a material; a hole stays a hole.
-      materials[i] = (source[i] ? this.#ofSide(source[i]!.side) : undefined)!;
+      const material = source[i];
+      materials[i] = isSolid(material) ? this.#ofSide(material!.side) : this.#nothing;
     }
     return materials;
   }
@@ -55,6 +58,7 @@ export class CollisionMaterials {
   dispose(): void {
     for (const material of this.#bySide.values()) material.dispose();
     this.#bySide.clear();
+    this.#nothing.dispose();
   }
 
   #ofSide(side: Side): ShaderMaterial {
@@ -66,6 +70,8 @@ export class CollisionMaterials {
   #create(side: Side): ShaderMaterial {
     const { output, sides, format, resolution, near, far, rMin, rMax } = this.#settings;
     const axis = output === 'axis';
+    // Culled as a BackSide material, three turns the facing round itself.
+    const frontSign = sides === 'both' && side === BackSide ? -1 : 1;
     return new ShaderMaterial({
       name: `CubeCollider ${output}`,
       vertexShader: collisionVertexShader,
@@ -75,7 +81,7 @@ export class CollisionMaterials {
         near: { value: near },
         ...(axis
           ? { rMin: { value: rMin }, rMax: { value: rMax } }
-          : { far: { value: far }, frontSign: { value: side === BackSide ? -1 : 1 } }),
+          : { far: { value: far }, frontSign: { value: frontSign } }),
       },
       side:
         sides === 'both'

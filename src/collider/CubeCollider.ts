@@ -16,7 +16,7 @@ import type { DrawStamp } from './ReadbackRing.js';
 import type { ReadbackClient } from './ReadbackScheduler.js';
 import { PrivateScene } from './PrivateScene.js';
 import { RendererState } from './RendererState.js';
-import { Selection } from './Selection.js';
+import { Selection, type SelectionRules } from './Selection.js';
 import { clearTexels } from './texelTarget.js';
 
 /** Updates without any field after which one is waited for, however busy the GPU. */
@@ -43,17 +43,24 @@ const worldPosition = new Vector3();
  * Constructor mistakes throw. `update` never does: without renderer or scene, disposed, or with its context lost, it
  * warns once and leaves what is there.
  */
-export class CubeCollider extends Object3D implements ReadbackClient {
+export class CubeCollider extends Object3D {
   override readonly type = 'CubeCollider';
   readonly isCubeCollider = true;
   /** 'surface' fills `field`, 'axis' fills `maxima`. */
   readonly output: 'surface' | 'axis';
+  /** Texels per face edge. */
   readonly resolution: number;
+  /** Nearest distance seen along a face's axis, metres. */
   readonly near: number;
+  /** Reach, metres. */
   readonly far: number;
+  /** Paper's mode: distance at which red is 1, metres. */
   readonly rMin: number;
+  /** Paper's mode: radius of the sphere, metres. */
   readonly rMax: number;
+  /** 'sync' has a field as soon as `update` returns. */
   readonly readback: 'async' | 'sync';
+  /** 'both' sides of a triangle are solid, or as 'drawn'. */
   readonly sides: 'both' | 'drawn';
   /** Called for each mesh within reach; false makes it no obstacle. */
   filter: ((object: Object3D) => boolean) | null;
@@ -72,6 +79,7 @@ export class CubeCollider extends Object3D implements ReadbackClient {
   #gpu: ColliderResources | null = null;
   #updates = 0;
   #updateOfField = 0;
+  #timeOfField = 0;
   #urgent = false;
   #waiters: (() => void)[] = [];
   #disposed = false;
@@ -81,7 +89,16 @@ export class CubeCollider extends Object3D implements ReadbackClient {
     serial: 0,
     update: 0,
   };
+  readonly #rules: SelectionRules = {
+    layers: this.layers,
+    excluded: this.#excluded,
+    filter: (object) => this.#passes(object),
+  };
   readonly #dress;
+  readonly #client: ReadbackClient = {
+    deliver: () => this.#deliver(),
+    urgent: () => this.#urgent && this.#gpu !== null && this.#gpu.ring.fenced,
+  };
 
   constructor(options: CubeColliderOptions = {}) {
     super();
@@ -153,42 +170,38 @@ export class CubeCollider extends Object3D implements ReadbackClient {
     if (!this.#usable(renderer, scene)) return;
     this.#updates++;
     const gpu = this.#resources(renderer);
-    this.updateWorldMatrix(true, false);
     const center = worldPosition.setFromMatrixPosition(this.matrixWorld);
-    if (!Number.isFinite(center.x + center.y + center.z)) {
-      this.#warnings.once(
-        'its position is not finite; place it before updating. It keeps its last field.',
-      );
-      return;
-    }
     if (this.readback === 'sync') {
-      this.#draw(renderer, scene, center);
-      return;
-    }
-    if (gpu.ring.inFlight > 0 && this.#mustWait(center)) {
+      this.#draw(renderer, scene, center, true);
+    } else if (this.#mustWait(center, gpu)) {
+      // One wait, for what is here and now; the reads on their way are older.
       this.stats.forced++;
-      this.deliver();
-    }
-    if (!gpu.ring.free) {
+      gpu.ring.drop();
+      gpu.scheduler!.cancel(this.#client);
+      this.#draw(renderer, scene, center, true);
+      this.#settle();
+    } else if (gpu.ring.free) {
+      this.#draw(renderer, scene, center, false);
+      gpu.scheduler!.wait(this.#client);
+    } else {
       this.stats.skipped++;
-      return;
     }
-    this.#draw(renderer, scene, center);
-    gpu.scheduler.wait(this);
   }
 
   /**
    * `update`, resolved once what it drew has been read: for tests, tools and loading screens. It does not block.
    *
-   * @returns the field, or null in the paper's mode (whose `maxima` are then fresh) and where `update` could not draw
+   * @returns the field; null in the paper's mode (whose `maxima` are then fresh), where `update` could not draw, and
+   *   where `invalidate`, `dispose` or a lost context came between
    */
   async updateAsync(renderer: WebGLRenderer, scene: Object3D): Promise<SurfaceField | null> {
+    if (!this.#usable(renderer, scene)) return null;
     const drawn = this.stats.draws;
     // Reads on their way are of no more use: what is asked for is newer.
     this.#gpu?.ring.drop();
     this.update(renderer, scene);
     if (this.stats.draws === drawn) return null;
-    if (this.readback === 'async') {
+    if (this.#gpu !== null && this.#gpu.ring.inFlight > 0) {
       this.#urgent = true;
       await new Promise<void>((resolve) => this.#waiters.push(resolve));
     }
@@ -199,20 +212,18 @@ export class CubeCollider extends Object3D implements ReadbackClient {
   async compile(renderer: WebGLRenderer, scene: Object3D): Promise<void> {
     if (!this.#usable(renderer, scene)) return;
     const gpu = this.#resources(renderer);
-    this.updateWorldMatrix(true, false);
-    const center = worldPosition.setFromMatrixPosition(this.matrixWorld);
-    this.#select(scene, center, Infinity);
-    let compiled: Promise<unknown>;
+    this.#select(scene, worldPosition.setFromMatrixPosition(this.matrixWorld), Infinity);
     this.#state.enter(renderer);
     try {
       renderer.setRenderTarget(gpu.atlas);
-      compiled = renderer.compileAsync(this.#scene, gpu.cameras);
+      gpu.compiling = renderer.compileAsync(this.#scene, gpu.cameras);
       gpu.axis?.compile(renderer);
     } finally {
       this.#state.leave(renderer);
-      this.#scene.children = [];
+      this.#selection.clear();
     }
-    await compiled;
+    await gpu.compiling;
+    gpu.compiling = null;
   }
 
   /** Forgets every field, those on their way included: after a teleport, or when scenery changed at a stroke. */
@@ -221,7 +232,7 @@ export class CubeCollider extends Object3D implements ReadbackClient {
     this.#hasMaxima = false;
     this.#updateOfField = this.#updates;
     this.#gpu?.ring.drop();
-    this.#gpu?.scheduler.cancel(this);
+    this.#gpu?.scheduler?.cancel(this.#client);
     this.#settle();
   }
 
@@ -231,13 +242,8 @@ export class CubeCollider extends Object3D implements ReadbackClient {
     this.#disposed = true;
   }
 
-  /** True once a caller of `updateAsync` waits and its own read is through. For `ReadbackScheduler`. @internal */
-  get urgent(): boolean {
-    return this.#urgent && this.#gpu !== null && this.#gpu.ring.fenced;
-  }
-
-  /** Copies the newest read and decodes it. Called by `ReadbackScheduler`. @internal */
-  deliver(): void {
+  /** Copies the newest read and decodes it. */
+  #deliver(): void {
     const gpu = this.#gpu;
     if (gpu === null) return;
     const start = performance.now();
@@ -247,8 +253,8 @@ export class CubeCollider extends Object3D implements ReadbackClient {
     this.#settle();
   }
 
-  /** Select, draw, and read (or start to): what was drawn last is still bound then. */
-  #draw(renderer: WebGLRenderer, scene: Object3D, center: Vector3): void {
+  /** Select, draw, and read (`now`, or start to): what was drawn last is still bound then. */
+  #draw(renderer: WebGLRenderer, scene: Object3D, center: Vector3, now: boolean): void {
     const gpu = this.#gpu!;
     const time = performance.now();
     this.#select(scene, center, this.output === 'axis' ? this.rMax : this.far);
@@ -261,17 +267,28 @@ export class CubeCollider extends Object3D implements ReadbackClient {
       this.stats.drawCalls = renderer.info.render.calls - before;
       gpu.axis?.reduce(renderer);
       this.stats.draws++;
-      if (this.readback === 'async') gpu.ring.start(this.#stampOf(center, time));
-      else this.#readNow(gpu, this.#stampOf(center, time));
+      if (now) this.#readNow(gpu, this.#stampOf(center, time));
+      else gpu.ring.start(this.#stampOf(center, time));
     } finally {
       this.#state.leave(renderer);
     }
   }
 
   #select(scene: Object3D, center: Vector3, reach: number): void {
-    this.#selection.select(scene, center, reach, this, this.#dress);
+    this.#selection.select(scene, center, reach, this.#rules, this.#dress);
     this.#scene.children = this.#selection.proxies;
     this.stats.objects = this.#selection.proxies.length;
+  }
+
+  /** The user's filter; one that throws is no reason to let the character through. */
+  #passes(object: Object3D): boolean {
+    if (this.filter === null) return true;
+    try {
+      return this.filter(object) !== false;
+    } catch (error) {
+      this.#warnings.once(`"filter" threw ${String(error)}; the object counts as solid.`, 'filter');
+      return true;
+    }
   }
 
   #stampOf(center: Vector3, time: number): DrawStamp {
@@ -307,14 +324,16 @@ export class CubeCollider extends Object3D implements ReadbackClient {
     this.stats.latency = performance.now() - stamp.time;
     this.stats.latencyUpdates = this.#updates - stamp.update;
     this.#updateOfField = this.#updates;
+    this.#timeOfField = stamp.time;
   }
 
-  /** True if the newest field's reach is about to run out, or there has been none for too long. */
-  #mustWait(center: Vector3): boolean {
-    const newest =
-      this.output === 'axis' ? (this.#hasMaxima ? this.#axisMaxima : null) : this.#field;
+  /** True if the newest field's reach or time is about to run out, or there has been none for too long. */
+  #mustWait(center: Vector3, gpu: ColliderResources): boolean {
+    const newest = this.#hasMaxima ? this.#axisMaxima : this.#field;
     if (newest === null) return this.#updates - this.#updateOfField > PATIENCE;
-    return newest.center.distanceTo(center) > this.#settings.slack;
+    if (newest.center.distanceTo(center) > this.#settings.slack) return true;
+    const age = performance.now() - this.#timeOfField;
+    return gpu.ring.inFlight > 0 && age > 1000 * this.#settings.maxAge;
   }
 
   #blocked(start: number): void {
@@ -328,35 +347,46 @@ export class CubeCollider extends Object3D implements ReadbackClient {
     this.#waiters.length = 0;
   }
 
+  /** May it draw? Else it has said once why not. Brings the world matrix up to date. */
   #usable(renderer: WebGLRenderer, scene: Object3D): boolean {
     if (this.#disposed) {
       this.#warnings.once('it was disposed; make a new one.');
-      return false;
-    }
-    if (!renderer || typeof renderer.getContext !== 'function') {
+    } else if ((renderer as { isWebGLRenderer?: boolean } | undefined)?.isWebGLRenderer !== true) {
       this.#warnings.once(
         'update(renderer, scene) needs a WebGLRenderer. It keeps its last field.',
       );
-      return false;
-    }
-    if (!scene?.isObject3D) {
+    } else if (!scene?.isObject3D) {
       this.#warnings.once('update(renderer, scene) needs a scene. It keeps its last field.');
-      return false;
+    } else if (!renderer.getContext().isContextLost()) {
+      this.updateWorldMatrix(true, false);
+      const { x, y, z } = worldPosition.setFromMatrixPosition(this.matrixWorld);
+      if (Number.isFinite(x + y + z)) return true;
+      this.#warnings.once(
+        'its position is not finite; place it before updating. It keeps its last field.',
+      );
     }
-    if (renderer.getContext().isContextLost()) return false;
-    return true;
+    return false;
   }
 
   /** Lets go of all that is on a GPU: disposed, another renderer, or the context lost (the next update begins anew). */
   readonly #release = (): void => {
     this.invalidate();
+    this.#selection.clear();
     this.#gpu?.dispose();
     this.#gpu = null;
   };
 
   #resources(renderer: WebGLRenderer): ColliderResources {
     if (this.#gpu !== null && this.#gpu.renderer !== renderer) this.#release();
-    this.#gpu ??= new ColliderResources(renderer, this.#settings, this.#release);
+    if (this.#gpu === null) {
+      this.#gpu = new ColliderResources(renderer, this.#settings, this.#release);
+      const { format } = this.#settings;
+      if (this.output === 'surface' && format !== 'auto' && format !== this.#gpu.format) {
+        this.#warnings.once(
+          `"format" ${format} cannot be drawn here; ${this.#gpu.format} is taken. Leave it at 'auto'.`,
+        );
+      }
+    }
     return this.#gpu;
   }
 }

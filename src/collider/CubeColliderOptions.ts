@@ -39,6 +39,10 @@ export interface CubeColliderOptions {
    * Default a quarter of the reach.
    */
   slack?: number;
+  /**
+   * Asynchronous reading: how old the newest field may be, seconds, before `update` waits for the next. Default 0.5.
+   */
+  maxAge?: number;
 }
 
 /** The options with every default in place, checked. */
@@ -54,6 +58,7 @@ export interface CubeColliderSettings {
   readonly rMax: number;
   readonly format: TexelFormat | 'auto';
   readonly slack: number;
+  readonly maxAge: number;
 }
 
 /**
@@ -102,6 +107,7 @@ export function resolveOptions(options: CubeColliderOptions): CubeColliderSettin
     rMax,
     format: oneOf('format', options.format ?? d.format, ['auto', ...TEXEL_FORMATS]),
     slack: positive('slack', options.slack ?? d.slackRatio * far),
+    maxAge: positive('maxAge', options.maxAge ?? d.maxAge),
   };
 }
 

@@ -71,8 +71,9 @@ export class ReadbackRing {
 
   /** Starts reading the framebuffer bound now; returns false if no buffer is free. */
   start(stamp: DrawStamp): boolean {
-    const slot = this.#slots.find((candidate) => !candidate.pending);
-    if (slot === undefined) return false;
+    let slot: PackBuffer | null = null;
+    for (const candidate of this.#slots) if (!candidate.pending) slot = candidate;
+    if (slot === null) return false;
     const gl = this.#gl;
     if (slot.buffer === null) {
       slot.buffer = gl.createBuffer();

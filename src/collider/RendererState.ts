@@ -7,7 +7,8 @@ const current = new Vector4();
  *
  * Tone mapping and colour space need nothing: three ignores them for a render target. The clear colour is never
  * touched (`PrivateScene`, `clearTexels`). Viewport and scissor come back with the canvas; where the user has a target of his
- * own bound they may differ from that target's, and are kept here. Nothing here waits for the GPU.
+ * own bound they may differ from that target's, and are kept here. Nothing here waits for the GPU but
+ * one question, for the scissor box, asked only where a scissor test is on and its box cannot be known otherwise.
  */
 export class RendererState {
   #target: RenderTarget | null = null;
@@ -16,6 +17,7 @@ export class RendererState {
   readonly #viewport = new Vector4();
   readonly #scissor = new Vector4();
   #scissorTest = false;
+  #keepsScissor = false;
   #xr = false;
   #autoClear = true;
   #sortObjects = true;
@@ -31,11 +33,10 @@ export class RendererState {
     this.#face = renderer.getActiveCubeFace();
     this.#mip = renderer.getActiveMipmapLevel();
     renderer.getCurrentViewport(this.#viewport);
-    if (this.#target !== null) {
-      const gl = renderer.getContext();
-      this.#scissorTest = gl.isEnabled(gl.SCISSOR_TEST);
-      if (this.#scissorTest) this.#scissor.fromArray(gl.getParameter(gl.SCISSOR_BOX) as Int32Array);
-    }
+    const gl = renderer.getContext();
+    this.#scissorTest = gl.isEnabled(gl.SCISSOR_TEST);
+    this.#keepsScissor = this.#scissorTest && (this.#target !== null || hasBrokenScissor(renderer));
+    if (this.#keepsScissor) this.#scissor.fromArray(gl.getParameter(gl.SCISSOR_BOX) as Int32Array);
     this.#xr = renderer.xr.enabled;
     this.#autoClear = renderer.autoClear;
     this.#sortObjects = renderer.sortObjects;
@@ -64,18 +65,25 @@ export class RendererState {
     renderer.autoClear = this.#autoClear;
     renderer.xr.enabled = this.#xr;
     renderer.setRenderTarget(this.#target as never, this.#face, this.#mip);
-    const canvas = this.#target === null;
     if (!renderer.getCurrentViewport(current).equals(this.#viewport)) {
       // The user called setViewport with his target bound; or the pixel ratio is broken, and three rounds a viewport
       // that is set but floors it when the canvas is bound. Setting it once more makes it current again.
       renderer.setViewport(renderer.getViewport(current));
-      if (canvas) renderer.setScissor(renderer.getScissor(current));
-      else renderer.state.viewport(this.#viewport);
+      if (this.#target !== null) renderer.state.viewport(this.#viewport);
     }
-    if (!canvas && this.#scissorTest) {
-      renderer.state.scissor(this.#scissor);
-      renderer.state.setScissorTest(true);
-    }
+    if (this.#target !== null) renderer.state.setScissorTest(this.#scissorTest);
+    if (this.#keepsScissor) renderer.state.scissor(this.#scissor);
     this.#target = null;
   }
+}
+
+/** At such a pixel ratio three rounds a scissor box that is set, but floors it when the canvas is bound. */
+function hasBrokenScissor(renderer: WebGLRenderer): boolean {
+  const { x, y, z, w } = renderer.getScissor(current).multiplyScalar(renderer.getPixelRatio());
+  return !(
+    Number.isInteger(x) &&
+    Number.isInteger(y) &&
+    Number.isInteger(z) &&
+    Number.isInteger(w)
+  );
 }

@@ -1,5 +1,6 @@
 import { type Layers, type Material, type Mesh, type Object3D, Sphere, type Vector3 } from 'three';
 import { FACES } from '../cube/faces.js';
+import { isSolid } from './isSolid.js';
 import { createObjectProxy, type ObjectProxy } from './objectProxy.js';
 
 /** What decides whether an object is solid. */
@@ -28,6 +29,11 @@ export class Selection {
   #dress!: (source: Material | Material[]) => Material | Material[];
   #center!: Vector3;
   #far = 0;
+
+  /** Lets go of the user's objects. */
+  clear(): void {
+    this.proxies.length = 0;
+  }
 
   /**
    * Refreshes the scene's world matrices as its next render would, then fills `proxies`.
@@ -63,10 +69,10 @@ export class Selection {
   }
 
   #consider(mesh: Mesh): void {
-    if (!isSolid(mesh.material) || !mesh.geometry?.attributes.position) return;
+    if (!anySolid(mesh.material) || !mesh.geometry?.attributes.position) return;
     const faces = this.#facesTouched(mesh);
     if (faces === 0) return;
-    if (this.#rules.filter !== null && this.#rules.filter(mesh) === false) return;
+    if (this.#rules.filter?.(mesh) === false) return;
     let proxy = this.#proxyOf.get(mesh);
     if (proxy === undefined) this.#proxyOf.set(mesh, (proxy = createObjectProxy(mesh)));
     proxy.layers.mask = faces;
@@ -114,9 +120,8 @@ function worldSphere(mesh: Mesh, target: Sphere): void {
   target.applyMatrix4(mesh.matrixWorld);
 }
 
-/** Drawn, and not see-through: transparent materials are solid only where an alpha test cuts them out. */
-function isSolid(material: Material | Material[] | undefined): boolean {
-  if (Array.isArray(material)) return material.some(isSolid);
-  if (!material || !material.visible || !material.depthWrite) return false;
-  return !material.transparent || material.alphaTest > 0;
+function anySolid(material: Material | Material[]): boolean {
+  if (!Array.isArray(material)) return isSolid(material);
+  for (let i = 0; i < material.length; i++) if (isSolid(material[i])) return true;
+  return false;
 }

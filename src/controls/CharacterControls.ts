@@ -1,5 +1,6 @@
 import { type Camera, Controls, Euler, Vector3 } from 'three';
 import { DEFAULTS } from '../defaults.js';
+import { Warnings } from '../Warnings.js';
 import { CameraRig, catchUp } from './CameraRig.js';
 import type { ControlledCharacter, View } from './ControlledCharacter.js';
 import { defaultKeys, Keyboard, type KeyMap } from './Keyboard.js';
@@ -100,6 +101,7 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
   /** Tilt of the view, radians, up positive. Read from the camera at first. */
   pitch = 0;
 
+  readonly #warnings = new Warnings('CharacterControls');
   readonly #keyboard = new Keyboard(this);
   readonly #pointer = new PointerLook(this, {
     look: (dx, dy) => this.#turn(dx, dy),
@@ -126,7 +128,8 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
     super(camera, domElement);
     const { keys, view, ...fields } = options;
     for (const [name, value] of Object.entries(fields)) {
-      if (typeof value === 'number' && !(value >= 0)) {
+      const endless = name === 'agility' || name === 'smoothing';
+      if (typeof value === 'number' && !(value >= 0 && (value < Infinity || endless))) {
         throw new RangeError(
           `CharacterControls: "${name}" must be a number from 0 on (got ${value}).`,
         );
@@ -215,6 +218,11 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
     _wish.applyEuler(_euler.set(0, this.yaw, 0));
 
     this.#velocity.lerp(_wish, catchUp(this.agility, delta));
+    if (!Number.isFinite(this.#velocity.lengthSq())) {
+      // A field was set to no number: stand, and go on once it is mended.
+      this.#warnings.once('its speeds, "agility" and "yaw" must be numbers; standing still.');
+      this.#velocity.set(0, 0, 0);
+    }
     if (idle && this.#velocity.lengthSq() < STANDSTILL * STANDSTILL) this.#velocity.set(0, 0, 0);
     // Someone else may walk the character while no key is held: told once to stop, it is left alone.
     const walks = !idle || this.#velocity.lengthSq() > 0;

@@ -2,7 +2,7 @@ import type { Object3D, Vector3 } from 'three';
 
 /** What controls ask of a character. `CharacterController` is one; anything else that walks may be. */
 export interface ControlledCharacter {
-  /** Middle of the foot, interpolated for drawing, world space, metres. */
+  /** Middle of the foot, for drawing, world space, metres. */
   readonly position: Vector3;
   /** World space, m/s. */
   readonly velocity: Vector3;

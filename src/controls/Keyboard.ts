@@ -64,7 +64,9 @@ export class Keyboard {
 
   /** Whether a key of `action` is down. */
   held(action: Action): boolean {
-    return this.#settings.keys[action].some((code) => this.#down.has(code));
+    const codes = this.#settings.keys[action];
+    for (let i = 0; i < codes.length; i++) if (this.#down.has(codes[i]!)) return true;
+    return false;
   }
 
   /** Whether a key of `action` went down since this was last asked, however short it was held. */

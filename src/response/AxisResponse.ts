@@ -1,7 +1,7 @@
 import type { Vector3 } from 'three';
 import type { AxisMaxima } from '../cube/AxisMaxima.js';
 import { DEFAULTS } from '../defaults.js';
-import type { Response } from './Response.js';
+import type { CollisionResponse } from './CollisionResponse.js';
 
 /** How strongly `AxisResponse` answers. */
 export interface AxisResponseOptions {
@@ -29,7 +29,7 @@ export interface AxisResponseOptions {
  *   paper's threshold for that, compares a sideways push with a height: at 0.1 m walls are entered by 0.2 m, then jump
  *   back. It is there to be faithful, and off.
  */
-export class AxisResponse implements Response {
+export class AxisResponse implements CollisionResponse {
   readonly cXZ: number;
   readonly cY: number;
   readonly hMax: number;

@@ -19,8 +19,8 @@ export interface AnalyticOptions {
 }
 
 /**
- * A collider made of analytic shapes, for Node. The maxima are searched here anew, by the rule as it is written down,
- * with rays derived here too: nothing of `src` decides what they see.
+ * A collider made of analytic shapes, for Node. The reds are searched here anew, by the rule as it is written down, with
+ * rays derived here too; the winners' directions are those of `AxisMaxima`, whose texels other tests check.
  */
 export class AnalyticCollider implements CharacterCollider {
   readonly position = new Vector3();

@@ -7,7 +7,7 @@ import type { AxisMaxima } from '../cube/AxisMaxima.js';
  * This is the seam between "what is near" and "what to do about it". Bring your own to change how pushes add up;
  * `AxisResponse` is the paper's.
  */
-export interface Response {
+export interface CollisionResponse {
   /**
    * The displacement that takes the sphere of radius `maxima.rMax` around `center` out of what `maxima` saw.
    *
