@@ -63,6 +63,7 @@ export default async function readback({
     far: 3,
     format: 'RGBA32F',
     slack: 100,
+    maxAge: 1000,
   });
   collider.update(renderer, scene);
   await collider.compile(renderer, scene);

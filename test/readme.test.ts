@@ -1,4 +1,5 @@
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 import { expect, it } from 'vitest';
 import { DEFAULTS } from 'three-cube-collider';
 
@@ -25,8 +26,28 @@ it('the defaults in README should be the package’s', () => {
   expect(shown.get('near')).toBe(`${collider.nearRatio} \`far\``);
   expect(shown.get('slack')).toBe(`${collider.slackRatio} \`far\``);
   expect(shown.get('rMin')).toBe(`${collider.rMinRatio} \`rMax\``);
+  const { controls } = DEFAULTS;
+  for (const key of ['view', 'eyeHeight', 'sensitivity', 'distance'] as const) {
+    expect(shown.get(key), key).toBe(quoted(controls[key]));
+  }
+  expect(readme).toContain(`\`${controls.walkSpeed}\`, \`${controls.runSpeed}\``);
+  expect(readme).toContain(`from ${controls.minDistance} to ${controls.maxDistance}`);
   for (const key of ['radius', 'height', 'gravity', 'jumpHeight', 'terminalSpeed'] as const) {
     expect(shown.get(key), key).toBe(quoted(character[key]));
   }
   expect(readme).toContain(`\`cXZ\` ${axis.cXZ}, \`cY\` ${axis.cY}, \`hMax\` ${axis.hMax}`);
 });
+
+it.each(['README.md', 'docs/architecture.md', 'docs/paper.md'])(
+  'should link to what exists, and leave nothing to fill in: %s',
+  (file) => {
+    const text = readFileSync(file, 'utf8');
+    for (const [, link] of text.matchAll(/\]\((?!https?:)([^)#]+)/g)) {
+      expect(existsSync(join(dirname(file), link!)), link).toBe(true);
+    }
+    for (const [, path] of text.matchAll(/`((?:src|e2e|test|bench|scripts)\/[\w./-]+\.\w+)`/g)) {
+      expect(existsSync(path!), path).toBe(true);
+    }
+    expect(text).not.toMatch(/<!-- \w+ table -->/);
+  },
+);
