@@ -50,7 +50,6 @@ test.describe('a sphere of the paper’s', () => {
   const cases: [string, number, CubeColliderOptions][] = [
     ['@three the paper’s mode, 60 Hz', 60, { output: 'axis' }],
     ['the paper’s mode, 20 Hz', 20, { output: 'axis' }],
-    ['the paper’s mode read asynchronously, 60 Hz', 60, { output: 'axis', readback: 'async' }],
     ['surfaces read synchronously, 30 Hz', 30, { output: 'surface', readback: 'sync' }],
     ['surfaces read asynchronously, 60 Hz', 60, { output: 'surface' }],
   ];

@@ -31,23 +31,39 @@ export default async function axisWalk({
   const collider = new CubeCollider({ rMin: RADIUS / 2, rMax: RADIUS, ...options });
   const character = new CharacterController(collider, { radius: RADIUS });
   const walk = new Vector3();
+  const frame = async () => {
+    character.update(renderer, scene, 1 / rate);
+    // An asynchronous read needs the event loop.
+    if (collider.readback === 'async') await new Promise((resolve) => setTimeout(resolve, 4));
+  };
   /** Walks for some seconds; returns the foot's farthest way from where it began, along the floor. */
   const run = async (seconds: number, x = 0, z = 0) => {
     character.walk(walk.set(x, 0, z));
     const from = character.position.clone();
     let farthest = 0;
     for (let i = 0; i < seconds * rate; i++) {
-      character.update(renderer, scene, 1 / rate);
+      await frame();
       const { position } = character;
       farthest = Math.max(farthest, Math.hypot(position.x - from.x, position.z - from.z));
-      // An asynchronous read needs the event loop.
-      if (collider.readback === 'async') await new Promise((resolve) => setTimeout(resolve, 4));
     }
     return farthest;
   };
+  /** Walks until it has stood still for half a second, however late the reads come, or has walked `metres`. */
+  const untilStill = async (x = 0, z = 0, metres = Infinity) => {
+    character.walk(walk.set(x, 0, z));
+    const from = character.position.clone();
+    const near = from.clone();
+    for (let still = 0, i = 0; still < rate / 2 && i < 60 * rate; i++) {
+      await frame();
+      const { position, ready } = character;
+      still = ready && position.distanceTo(near) < 0.002 ? still + 1 : 0;
+      if (still === 0) near.copy(position);
+      if (position.distanceTo(from) > metres) break;
+    }
+  };
   const to = async (x: number, y: number, z: number) => {
     character.teleport(new Vector3(x, y, z));
-    await run(1);
+    await untilStill();
   };
 
   await to(0, 1.5, 0);
@@ -55,13 +71,13 @@ export default async function axisWalk({
   const grounded = character.grounded;
   const creep = await run(5);
   const sinks = Math.abs(character.position.y - standsAt);
-  await run(2.5, 2, 0);
+  await untilStill(2, 0);
   const intoWall = character.position.x + RADIUS - 3;
   await to(0, 0.1, 2);
-  await run(2, 0, 2);
+  await untilStill(0, 2, 3.5);
   const onLow = { y: character.position.y - low, z: character.position.z };
   await to(0, 0.1, -2);
-  await run(2, 0, -2);
+  await untilStill(0, -2);
   const againstHigh = { y: character.position.y, z: character.position.z };
   const { stats } = collider;
   collider.dispose();
