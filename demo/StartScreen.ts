@@ -34,7 +34,8 @@ export class StartScreen {
   ready(): void {
     this.#progress.hidden = true;
     this.#walk.hidden = false;
-    this.#status.textContent = 'Ready. The mouse looks around.';
+    const fine = window.matchMedia('(pointer: fine)').matches;
+    this.#status.textContent = fine ? 'Ready. The mouse looks around.' : 'Ready.';
     this.#screen.dataset.state = 'ready';
     // Enter starts; but a focus already somewhere is not taken away.
     if (document.activeElement === document.body) this.#walk.focus({ preventScroll: true });

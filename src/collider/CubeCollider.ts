@@ -1,8 +1,7 @@
 import { Object3D, Vector3, type WebGLRenderer, type WebGLRenderTarget } from 'three';
-import { AxisMaxima } from '../cube/AxisMaxima.js';
-import { decodeSurface, type TexelFormat } from '../cube/encoding.js';
-import { texelDirections } from '../cube/texelDirections.js';
-import { SurfaceField } from '../field/SurfaceField.js';
+import type { AxisMaxima } from '../cube/AxisMaxima.js';
+import type { TexelFormat } from '../cube/encoding.js';
+import type { SurfaceField } from '../field/SurfaceField.js';
 import { Warnings } from '../Warnings.js';
 import { ColliderResources } from './ColliderResources.js';
 import type { CollisionMaterials } from './CollisionMaterials.js';
@@ -12,15 +11,13 @@ import {
   resolveOptions,
 } from './CubeColliderOptions.js';
 import { type CubeColliderStats, emptyStats } from './CubeColliderStats.js';
+import { NewestRead } from './NewestRead.js';
 import type { DrawStamp } from './ReadbackRing.js';
 import type { ReadbackClient } from './ReadbackScheduler.js';
 import { PrivateScene } from './PrivateScene.js';
 import { RendererState } from './RendererState.js';
 import { Selection, type SelectionRules } from './Selection.js';
 import { clearTexels } from './texelTarget.js';
-
-/** Updates without any field after which one is waited for, however busy the GPU. */
-const PATIENCE = 4;
 
 const worldPosition = new Vector3();
 
@@ -71,15 +68,10 @@ export class CubeCollider extends Object3D {
   readonly #selection = new Selection();
   readonly #state = new RendererState();
   readonly #scene = new PrivateScene();
-  readonly #fields: SurfaceField[] = [];
-  readonly #axisMaxima: AxisMaxima;
+  readonly #newest: NewestRead;
   readonly #warnings = new Warnings('CubeCollider');
-  #field: SurfaceField | null = null;
-  #hasMaxima = false;
   #gpu: ColliderResources | null = null;
   #updates = 0;
-  #updateOfField = 0;
-  #timeOfField = 0;
   #urgent = false;
   #waiters: (() => void)[] = [];
   #disposed = false;
@@ -113,26 +105,19 @@ export class CubeCollider extends Object3D {
     this.readback = settings.readback;
     this.sides = settings.sides;
     this.filter = settings.filter;
-    this.#axisMaxima = new AxisMaxima(settings.rMin, settings.rMax);
-    if (settings.output === 'surface') {
-      const directions = texelDirections(settings.resolution);
-      // Two, written in turn: the newest stays whole while the next is decoded.
-      for (let i = 0; i < 2; i++) {
-        this.#fields.push(new SurfaceField(settings.resolution, settings.far, directions));
-      }
-    }
+    this.#newest = new NewestRead(settings, this.stats);
     this.#dress = (source: Parameters<CollisionMaterials['for']>[0]) =>
       this.#gpu!.materials.for(source);
   }
 
   /** The newest surfaces, or null before the first. It is overwritten two fields later; copy what must last. */
   get field(): SurfaceField | null {
-    return this.#field;
+    return this.#newest.field;
   }
 
   /** The paper's mode: the newest maxima, or null before the first. Overwritten by the next. */
   get maxima(): AxisMaxima | null {
-    return this.#hasMaxima ? this.#axisMaxima : null;
+    return this.#newest.maxima;
   }
 
   /** The atlas: 3×2 tiles of resolution² texels; null before the first update. */
@@ -173,7 +158,7 @@ export class CubeCollider extends Object3D {
     const center = worldPosition.setFromMatrixPosition(this.matrixWorld);
     if (this.readback === 'sync') {
       this.#draw(renderer, scene, center, true);
-    } else if (this.#mustWait(center, gpu)) {
+    } else if (this.#newest.runsOut(center, this.#updates, gpu.ring.inFlight > 0)) {
       // One wait, for what is here and now; the reads on their way are older.
       this.stats.forced++;
       gpu.ring.drop();
@@ -205,7 +190,7 @@ export class CubeCollider extends Object3D {
       this.#urgent = true;
       await new Promise<void>((resolve) => this.#waiters.push(resolve));
     }
-    return this.#field;
+    return this.#newest.field;
   }
 
   /** Compiles the programs for what is in `scene`, so that the first `update` does not stutter. */
@@ -228,9 +213,7 @@ export class CubeCollider extends Object3D {
 
   /** Forgets every field, those on their way included: after a teleport, or when scenery changed at a stroke. */
   invalidate(): void {
-    this.#field = null;
-    this.#hasMaxima = false;
-    this.#updateOfField = this.#updates;
+    this.#newest.forget(this.#updates);
     this.#gpu?.ring.drop();
     this.#gpu?.scheduler?.cancel(this.#client);
     this.#settle();
@@ -249,7 +232,7 @@ export class CubeCollider extends Object3D {
     const start = performance.now();
     const stamp = gpu.ring.finish();
     this.#blocked(start);
-    if (stamp !== null) this.#publish(gpu, stamp);
+    if (stamp !== null) this.#newest.publish(gpu, stamp, this.#updates);
     this.#settle();
   }
 
@@ -303,37 +286,7 @@ export class CubeCollider extends Object3D {
     const start = performance.now();
     gpu.ring.readNow();
     this.#blocked(start);
-    this.#publish(gpu, stamp);
-  }
-
-  /** Decodes the ring's data into the next field, or the maxima. */
-  #publish(gpu: ColliderResources, stamp: DrawStamp): void {
-    if (gpu.axis !== null) {
-      gpu.axis.decode(gpu.ring.data as Uint8Array, this.#axisMaxima);
-      this.#axisMaxima.center.copy(stamp.center);
-      this.#hasMaxima = true;
-    } else {
-      const next = this.#fields[this.stats.reads % 2]!;
-      next.center.copy(stamp.center);
-      next.time = stamp.time;
-      next.serial = stamp.serial;
-      decodeSurface(gpu.format, gpu.ring.data, next);
-      this.#field = next;
-    }
-    this.stats.reads++;
-    this.stats.latency = performance.now() - stamp.time;
-    this.stats.latencyUpdates = this.#updates - stamp.update;
-    this.#updateOfField = this.#updates;
-    this.#timeOfField = stamp.time;
-  }
-
-  /** True if the newest field's reach or time is about to run out, or there has been none for too long. */
-  #mustWait(center: Vector3, gpu: ColliderResources): boolean {
-    const newest = this.#hasMaxima ? this.#axisMaxima : this.#field;
-    if (newest === null) return this.#updates - this.#updateOfField > PATIENCE;
-    if (newest.center.distanceTo(center) > this.#settings.slack) return true;
-    const age = performance.now() - this.#timeOfField;
-    return gpu.ring.inFlight > 0 && age > 1000 * this.#settings.maxAge;
+    this.#newest.publish(gpu, stamp, this.#updates);
   }
 
   #blocked(start: number): void {

@@ -1,0 +1,82 @@
+import type { Vector3 } from 'three';
+import { AxisMaxima } from '../cube/AxisMaxima.js';
+import { decodeSurface } from '../cube/encoding.js';
+import { texelDirections } from '../cube/texelDirections.js';
+import { SurfaceField } from '../field/SurfaceField.js';
+import type { ColliderResources } from './ColliderResources.js';
+import type { CubeColliderSettings } from './CubeColliderOptions.js';
+import type { CubeColliderStats } from './CubeColliderStats.js';
+import type { DrawStamp } from './ReadbackRing.js';
+
+/** Updates without any data after which some are waited for, however busy the GPU. */
+const PATIENCE = 4;
+
+/** The newest cubemap that came back, decoded, and how far and how long it serves. */
+export class NewestRead {
+  /** Newest surfaces; null before the first, and always in the paper's mode. */
+  field: SurfaceField | null = null;
+  /** Newest maxima; null before the first, and always but in the paper's mode. */
+  maxima: AxisMaxima | null = null;
+
+  /** Written in turn: the newest stays whole while the next is decoded. */
+  readonly #fields: SurfaceField[] = [];
+  readonly #axisMaxima: AxisMaxima;
+  readonly #settings: CubeColliderSettings;
+  readonly #stats: CubeColliderStats;
+  #time = 0;
+  #update = 0;
+
+  constructor(settings: CubeColliderSettings, stats: CubeColliderStats) {
+    this.#settings = settings;
+    this.#stats = stats;
+    this.#axisMaxima = new AxisMaxima(settings.rMin, settings.rMax);
+    if (settings.output === 'axis') return;
+    const directions = texelDirections(settings.resolution);
+    for (let i = 0; i < 2; i++) {
+      this.#fields.push(new SurfaceField(settings.resolution, settings.far, directions));
+    }
+  }
+
+  /** Decodes what the ring has copied last. @param update number of the update it arrives in */
+  publish(gpu: ColliderResources, stamp: DrawStamp, update: number): void {
+    if (gpu.axis !== null) {
+      gpu.axis.decode(gpu.ring.data as Uint8Array, this.#axisMaxima);
+      this.#axisMaxima.center.copy(stamp.center);
+      this.maxima = this.#axisMaxima;
+    } else {
+      const next = this.#fields[this.#stats.reads % 2]!;
+      next.center.copy(stamp.center);
+      next.time = stamp.time;
+      next.serial = stamp.serial;
+      decodeSurface(gpu.format, gpu.ring.data, next);
+      this.field = next;
+    }
+    this.#time = stamp.time;
+    this.#update = update;
+    this.#stats.reads++;
+    this.#stats.latency = performance.now() - stamp.time;
+    this.#stats.latencyUpdates = update - stamp.update;
+  }
+
+  /** Forgets what it has. @param update number of the update it happens in */
+  forget(update: number): void {
+    this.field = null;
+    this.maxima = null;
+    this.#update = update;
+  }
+
+  /**
+   * Must the next be waited for? If the reach or the age of this one is about to run out, or there has been none for
+   * too long.
+   *
+   * @param center where the collider is now, world space
+   * @param update number of this update
+   * @param inFlight whether a newer one is on its way, and late
+   */
+  runsOut(center: Vector3, update: number, inFlight: boolean): boolean {
+    const newest = this.maxima ?? this.field;
+    if (newest === null) return update - this.#update > PATIENCE;
+    if (newest.center.distanceTo(center) > this.#settings.slack) return true;
+    return inFlight && performance.now() - this.#time > 1000 * this.#settings.maxAge;
+  }
+}
