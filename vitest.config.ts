@@ -3,5 +3,5 @@ import { alias } from './vite.config.js';
 
 export default defineConfig({
   resolve: { alias },
-  test: { include: ['test/**/*.test.ts'], environment: 'node' },
+  test: { include: ['test/**/*.test.ts'], environment: 'node', testTimeout: 120_000 },
 });

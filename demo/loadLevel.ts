@@ -40,7 +40,12 @@ export async function loadLevel(
       if (total > 0) onProgress(Math.min(1, loaded / total));
     })
     .catch((cause: unknown) => {
-      const reason = cause instanceof Error ? cause.message : String(cause);
+      const reason =
+        cause instanceof SyntaxError
+          ? 'it is no GLB or glTF file.'
+          : cause instanceof Error
+            ? cause.message
+            : String(cause);
       throw new Error(`The level "${url}" could not be loaded: ${reason}`, { cause });
     });
   const root = gltf.scene;

@@ -64,7 +64,8 @@ function start(screen: StartScreen) {
     avatar.animate(
       delta,
       Math.hypot(character.velocity.x, character.velocity.z),
-      character.grounded,
+      // While it waits for surfaces it stands still, whatever is below.
+      character.grounded || !character.ready,
     );
 
     renderer.render(scene, camera);
@@ -99,6 +100,8 @@ function start(screen: StartScreen) {
     document.body.classList.toggle('helper', settings.helper);
     if (what === 'collider') exchangeCollider();
     panel?.refresh();
+    // A choice in the panel leaves the keys to the walk again.
+    if (document.activeElement instanceof HTMLSelectElement) canvas.focus({ preventScroll: true });
   }
 
   async function load(): Promise<void> {
@@ -153,6 +156,9 @@ function start(screen: StartScreen) {
       hint.hidden = readout === null || controls.isLocked;
     });
   }
+  canvas.addEventListener('pointermove', ({ buttons }) => {
+    if (buttons !== 0) hint.hidden = true;
+  });
   onReducedMotion((reduced) => (controls.smoothing = reduced ? Infinity : 1));
   const resize = () => {
     renderer.setSize(window.innerWidth, window.innerHeight, false);

@@ -5,7 +5,11 @@ import { clipWish } from '../response/clipWish.js';
 import type { CollisionResponse } from '../response/CollisionResponse.js';
 import { Warnings } from '../Warnings.js';
 import type { CharacterCollider } from './CharacterCollider.js';
-import { checkCharacterOptions, checkVector, type CharacterOptions } from './characterOptions.js';
+import {
+  checkCharacterOptions,
+  isFiniteVector,
+  type CharacterOptions,
+} from './characterOptions.js';
 import { Fall } from './Fall.js';
 import { drawnAt, surroundings, vouchedTravel, vouchesFor } from './surroundings.js';
 
@@ -120,10 +124,10 @@ export class CharacterController<R = unknown, S = unknown> {
   /**
    * Puts the foot at `position` (world space, metres), at rest, and waits for new data there.
    *
-   * @throws RangeError if it is not finite, TypeError if it is no Vector3
+   * What is no Vector3 of finite numbers is passed over, with one warning.
    */
   teleport(position: Vector3): void {
-    checkVector('teleport', position);
+    if (!this.#accepts('teleport', position)) return;
     this.body.position.copy(position);
     this.position.copy(position);
     this.#rest();
@@ -134,10 +138,10 @@ export class CharacterController<R = unknown, S = unknown> {
   /**
    * Sets the wanted horizontal velocity, m/s; its y is ignored. Holds until changed.
    *
-   * @throws RangeError if it is not finite, TypeError if it is no Vector3
+   * What is no Vector3 of finite numbers is passed over, with one warning.
    */
   walk(velocity: Vector3): void {
-    checkVector('walk', velocity);
+    if (!this.#accepts('walk', velocity)) return;
     this.#walk.set(velocity.x, 0, velocity.z);
   }
 
@@ -145,10 +149,10 @@ export class CharacterController<R = unknown, S = unknown> {
    * Adds to the next step's travel, once: metres, world axes, the paper's user displacement. Several calls add up. What
    * the step could not travel, because of walls or because no data vouch for it, is dropped.
    *
-   * @throws RangeError if it is not finite, TypeError if it is no Vector3
+   * What is no Vector3 of finite numbers is passed over, with one warning.
    */
   move(displacement: Vector3): void {
-    checkVector('move', displacement);
+    if (!this.#accepts('move', displacement)) return;
     this.#move.add(displacement);
   }
 
@@ -309,6 +313,13 @@ export class CharacterController<R = unknown, S = unknown> {
   #rest(): void {
     this.velocity.set(0, 0, 0);
     this.#move.set(0, 0, 0);
+  }
+
+  /** A vector that a frame's sums may have spoiled: it must neither throw into the loop nor be taken. */
+  #accepts(method: string, vector: Vector3): boolean {
+    if (isFiniteVector(vector)) return true;
+    this.#warnings.once(`${method}() needs a Vector3 of finite numbers; passed over.`);
+    return false;
   }
 
   /** May this frame move? Else it has been told why, once. */

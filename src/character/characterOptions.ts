@@ -39,7 +39,7 @@ export function checkCharacterOptions({
   avatar = null,
 }: CharacterOptions): CheckedCharacterOptions {
   check('radius', radius, radius > 0, 'must be a length above 0');
-  check('height', height, height >= 2 * radius, 'must be at least twice "radius"');
+  check('height', height, height >= 2 * radius, `must be at least twice "radius", ${2 * radius}`);
   check('gravity', gravity, gravity >= 0, 'must be 0 or more (it points down)');
   check('terminalSpeed', terminalSpeed, terminalSpeed > 0, 'must be above 0');
   check('jumpHeight', jumpHeight, jumpHeight >= 0, 'must be 0 or more');
@@ -60,23 +60,7 @@ function check(name: string, value: number, holds: boolean, wanted: string): voi
   }
 }
 
-/**
- * Checks a vector by its numbers: one of another copy of three will do. Allocates nothing if it is well.
- *
- * @throws TypeError if it is no vector, RangeError if it is not finite
- */
-export function checkVector(method: string, vector: Vector3): void {
-  if (Number.isFinite(vector?.x + vector?.y + vector?.z)) return;
-  if (
-    typeof vector?.x !== 'number' ||
-    typeof vector.y !== 'number' ||
-    typeof vector.z !== 'number'
-  ) {
-    throw new TypeError(
-      `CharacterController: ${method}() needs a Vector3 (got ${String(vector)}).`,
-    );
-  }
-  throw new RangeError(
-    `CharacterController: ${method}() needs finite numbers (got ${vector.x}, ${vector.y}, ${vector.z}).`,
-  );
+/** Is it a vector of finite numbers? One of another copy of three will do. Allocates nothing. */
+export function isFiniteVector(vector: Vector3): boolean {
+  return Number.isFinite(vector?.x) && Number.isFinite(vector?.y) && Number.isFinite(vector?.z);
 }

@@ -9,6 +9,9 @@ import type { CharacterCollider } from './CharacterCollider.js';
 /** A texel's diagonal in the middle of a face of N texels, as a part of N and of the distance: 2·√2. */
 const TEXEL_DIAGONAL = 2 * Math.SQRT2;
 
+/** Halvings in search of the longest travel: to 1/64 of it. */
+const HALVINGS = 6;
+
 /**
  * Can the collider's newest data vouch for a sphere? Not if there are none, or if they were drawn too far away: the
  * paper's maxima vouch within rMax - rMin of their centre, a surface field for spheres wholly within its reach, there
@@ -55,7 +58,8 @@ export function surroundings(
 }
 
 /**
- * The part of `travel`, 0 to 1, that the data vouch for: see `limitTravel`; and a surface field's known-free space is not left.
+ * The part of `travel`, 0 to 1, that the data vouch for: see `limitTravel`; and a surface field's known-free space is
+ * not left.
  *
  * @param seen what `surroundings` returned
  */
@@ -68,9 +72,27 @@ export function vouchedTravel(
   const part = limitTravel(seen, center, travel);
   const { maxima, field } = collider;
   if (maxima !== null || field === null) return part;
-  there.copy(center).addScaledVector(travel, part);
-  const free = vouchesFor(collider, there, seen.rMax) && knownFree(field, there, seen.rMin / 2);
-  return free ? part : 0;
+  if (free(collider, field, seen, there.copy(center).addScaledVector(travel, part))) return part;
+  // As far as it goes, not nothing: a coarse field vouches for less than a slow frame's travel.
+  let low = 0;
+  let high = part;
+  for (let i = 0; i < HALVINGS; i++) {
+    const middle = (low + high) / 2;
+    if (free(collider, field, seen, there.copy(center).addScaledVector(travel, middle)))
+      low = middle;
+    else high = middle;
+  }
+  return low;
+}
+
+/** May the sphere stand at `place`, as far as the field can tell? */
+function free(
+  collider: CharacterCollider,
+  field: SurfaceField,
+  seen: AxisMaxima,
+  place: Vector3,
+): boolean {
+  return vouchesFor(collider, place, seen.rMax) && knownFree(field, place, seen.rMin / 2);
 }
 
 /** Was the collider's newest data drawn around `center`, to a thousandth of the sphere's radius? */

@@ -61,6 +61,21 @@ export interface CubeColliderSettings {
   readonly maxAge: number;
 }
 
+const KNOWN: Record<keyof CubeColliderOptions, true> = {
+  output: true,
+  resolution: true,
+  near: true,
+  far: true,
+  readback: true,
+  sides: true,
+  filter: true,
+  rMin: true,
+  rMax: true,
+  format: true,
+  slack: true,
+  maxAge: true,
+};
+
 /**
  * Fills in the defaults and checks what the user gave.
  *
@@ -68,6 +83,12 @@ export interface CubeColliderSettings {
  */
 export function resolveOptions(options: CubeColliderOptions): CubeColliderSettings {
   const d = DEFAULTS.collider;
+  for (const name of Object.keys(options)) {
+    if (name in KNOWN) continue;
+    throw new TypeError(
+      `CubeCollider: there is no option "${name}"; there are ${Object.keys(KNOWN).join(', ')}.`,
+    );
+  }
   const output = oneOf('output', options.output ?? d.output, ['surface', 'axis']);
   const axis = output === 'axis';
 

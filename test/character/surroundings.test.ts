@@ -42,9 +42,12 @@ describe('surroundings', () => {
     const travel = (x: number) =>
       vouchedTravel(collider, nothingNear, center, new Vector3(x, 0, 0));
     expect(travel(0.02)).toBe(1);
-    // To 0.78 and 0.82, the wall being at 0.8.
-    expect(travel(0.1)).toBe(0);
-    expect(travel(0.14)).toBe(0);
+    // To 0.78, 0.82 and 1.68, the wall being at 0.8: each goes as far as half of rMin before it, and no farther.
+    for (const x of [0.1, 0.14, 1]) {
+      const place = 0.68 + x * travel(x);
+      expect(place).toBeLessThan(0.8 - R / 4 + 0.002);
+      expect(place).toBeGreaterThan(0.8 - R / 4 - 0.02);
+    }
     expect(travel(-0.1)).toBe(1);
   });
 });

@@ -20,6 +20,7 @@ const wrong: [CubeColliderOptions, RegExp][] = [
   [{ readback: 'later' as never }, /"readback" must be 'async' or 'sync'/],
   [{ sides: 'front' as never }, /"sides" must be 'both' or 'drawn'/],
   [{ format: 'RGB565' as never }, /"format" must be 'auto' or 'RGBA32F' or 'RGBA16F' or 'RGBA8'/],
+  [{ maxAge: -1 }, /"maxAge" must be a number greater than 0/],
   [{ slack: 0 }, /"slack" must be a number greater than 0/],
 ];
 
@@ -28,6 +29,12 @@ describe('CubeCollider’s options', () => {
     expect(() => new CubeCollider(options)).toThrow(RangeError);
     expect(() => new CubeCollider(options)).toThrow(message);
     expect(() => new CubeCollider(options)).toThrow(/^CubeCollider: /);
+  });
+
+  it('should refuse an option that does not exist, and say which do', () => {
+    const wish = { rmax: 3 } as CubeColliderOptions;
+    expect(() => new CubeCollider(wish)).toThrow(TypeError);
+    expect(() => new CubeCollider(wish)).toThrow(/no option "rmax"; there are .*rMax/);
   });
 
   it('should refuse a filter that is no function', () => {
