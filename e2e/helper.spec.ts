@@ -1,7 +1,7 @@
 import type helper from './harness/helper.js';
 import { expect, runInPage, test } from './support/test.js';
 
-test('@three should show what each collider sees, where it is, and leave the renderer as it was', async ({
+test('should show what each collider sees, where it is, and leave the renderer as it was', async ({
   page,
 }) => {
   const report = await runInPage<ReturnType<typeof helper>>(page, '/e2e/harness/helper.ts');

@@ -136,12 +136,17 @@ export default function helper() {
     const after: Record<string, unknown> = state();
     for (const name in before) if (before[name] !== after[name]) changed.push(name);
     renderer.setRenderTarget(null);
-    // A little inside and outside each corner of the canvas.
+    // Just inside all four edges of where the panel would be.
     corners[corner] = [0, 1].flatMap((top) =>
       [0, 1].map((right) => {
-        const x = right ? width - 10 - panelWidth / 2 : 10 + panelWidth / 2;
-        const y = top ? height - 10 - panelHeight / 2 : 10 + panelHeight / 2;
-        return brightness(x, y) > 0;
+        const x = right ? width - 10 - panelWidth : 10;
+        const y = top ? height - 10 - panelHeight : 10;
+        return [
+          [3, panelHeight / 2],
+          [panelWidth - 4, panelHeight / 2],
+          [panelWidth / 2, 3],
+          [panelWidth / 2, panelHeight - 4],
+        ].every(([dx, dy]) => brightness(x + dx!, y + dy!) > 0);
       }),
     );
   }
