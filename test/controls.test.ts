@@ -1,63 +1,7 @@
-import { Object3D, PerspectiveCamera, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
-import {
-  CharacterControls,
-  type CharacterControlsOptions,
-} from '../src/controls/CharacterControls.js';
-
-/** A document, its window and a canvas, as far as controls look at them. */
-function makePage() {
-  const defaultView = new EventTarget();
-  const document = Object.assign(new EventTarget(), {
-    defaultView,
-    pointerLockElement: null as unknown,
-    exitPointerLock() {
-      document.pointerLockElement = null;
-      document.dispatchEvent(new Event('pointerlockchange'));
-    },
-  });
-  const element = Object.assign(new EventTarget(), {
-    ownerDocument: document,
-    refuses: false,
-    requestPointerLock() {
-      if (element.refuses) return Promise.reject(new DOMException('no', 'NotAllowedError'));
-      document.pointerLockElement = element;
-      document.dispatchEvent(new Event('pointerlockchange'));
-      return Promise.resolve();
-    },
-  });
-  return { defaultView, document, element };
-}
-
-function setUp(options: CharacterControlsOptions = {}) {
-  const page = makePage();
-  const character = {
-    position: new Vector3(),
-    velocity: new Vector3(),
-    grounded: true,
-    avatar: new Object3D(),
-    walked: new Vector3(),
-    walk: vi.fn((velocity: Vector3) => void character.walked.copy(velocity)),
-    jump: vi.fn(),
-  };
-  const camera = new PerspectiveCamera();
-  const controls = new CharacterControls(
-    character,
-    camera,
-    page.element as unknown as HTMLElement,
-    options,
-  );
-  const send = (to: EventTarget, type: string, fields: object = {}): Event => {
-    const event = Object.assign(new Event(type, { cancelable: true }), fields);
-    // Node's `Event` has a read-only target; a page's key comes from the focused element.
-    if ('from' in fields) Object.defineProperty(event, 'target', { value: fields.from });
-    to.dispatchEvent(event);
-    return event;
-  };
-  const key = (type: 'keydown' | 'keyup', code: string, fields: object = {}) =>
-    send(page.document, type, { code, ...fields });
-  return { ...page, character, camera, controls, send, key };
-}
+import type { CharacterControls } from '../src/controls/CharacterControls.js';
+import { controlledPage } from './support/controlledPage.js';
 
 /** Long enough for every smoothing to be over. */
 function settle(controls: CharacterControls, seconds = 3, rate = 60) {
@@ -69,7 +13,7 @@ function settle(controls: CharacterControls, seconds = 3, rate = 60) {
 
 describe('CharacterControls: walking', () => {
   it('should walk where the camera looks, at walking speed', () => {
-    const { controls, character, key } = setUp();
+    const { controls, character, key } = controlledPage();
     key('keydown', 'KeyW');
     settle(controls);
     expect(character.walked.toArray()).toEqual([0, 0, -3].map((x) => expect.closeTo(x, 6)));
@@ -79,7 +23,7 @@ describe('CharacterControls: walking', () => {
   });
 
   it('should be no faster on a diagonal, and faster with Shift', () => {
-    const { controls, character, key } = setUp();
+    const { controls, character, key } = controlledPage();
     key('keydown', 'ArrowUp');
     key('keydown', 'KeyD');
     settle(controls);
@@ -90,7 +34,7 @@ describe('CharacterControls: walking', () => {
   });
 
   it('should stop when every key is up and then leave the character alone', () => {
-    const { controls, character, key } = setUp();
+    const { controls, character, key } = controlledPage();
     key('keydown', 'KeyS');
     settle(controls);
     key('keyup', 'KeyS');
@@ -103,7 +47,7 @@ describe('CharacterControls: walking', () => {
 
   it('should take up speed alike at any frame rate', () => {
     const speeds = [10, 60, 240].map((rate) => {
-      const { controls, character, key } = setUp();
+      const { controls, character, key } = controlledPage();
       key('keydown', 'KeyW');
       settle(controls, 0.2, rate);
       return character.walked.length();
@@ -112,7 +56,7 @@ describe('CharacterControls: walking', () => {
   });
 
   it('should jump once for a press, however short', () => {
-    const { controls, character, key } = setUp();
+    const { controls, character, key } = controlledPage();
     key('keydown', 'Space');
     key('keydown', 'Space', { repeat: true });
     key('keyup', 'Space');
@@ -121,7 +65,7 @@ describe('CharacterControls: walking', () => {
   });
 
   it('should let go of every key on blur, on a hidden tab and on unlock', async () => {
-    const { controls, character, key, send, document, defaultView } = setUp();
+    const { controls, character, key, send, document, defaultView } = controlledPage();
     await controls.lock();
     for (const lose of [
       () => send(defaultView, 'blur'),
@@ -138,7 +82,7 @@ describe('CharacterControls: walking', () => {
   });
 
   it('should leave to the page: Tab, shortcuts, and what is typed into a field', () => {
-    const { controls, character, key } = setUp();
+    const { controls, character, key } = controlledPage();
     expect(key('keydown', 'Tab').defaultPrevented).toBe(false);
     expect(key('keydown', 'KeyW', { ctrlKey: true }).defaultPrevented).toBe(false);
     for (const tagName of ['INPUT', 'SELECT', 'TEXTAREA']) {
@@ -152,7 +96,7 @@ describe('CharacterControls: walking', () => {
   });
 
   it('should take other keys', () => {
-    const { controls, character, key } = setUp({ keys: { forward: ['KeyZ'] } });
+    const { controls, character, key } = controlledPage({ keys: { forward: ['KeyZ'] } });
     key('keydown', 'KeyW');
     settle(controls);
     expect(character.walk).not.toHaveBeenCalled();
@@ -162,7 +106,7 @@ describe('CharacterControls: walking', () => {
   });
 
   it('should stop the character when disabled, and hear nothing', () => {
-    const { controls, character, key } = setUp();
+    const { controls, character, key } = controlledPage();
     key('keydown', 'KeyW');
     settle(controls);
     controls.enabled = false;
@@ -175,7 +119,7 @@ describe('CharacterControls: walking', () => {
   });
 
   it('should hear nothing after dispose', () => {
-    const { controls, character, key, send, element } = setUp();
+    const { controls, character, key, send, element } = controlledPage();
     controls.dispose();
     key('keydown', 'KeyW');
     send(element, 'pointerdown', { pointerId: 1, clientX: 0, clientY: 0 });
@@ -188,7 +132,7 @@ describe('CharacterControls: walking', () => {
 
 describe('CharacterControls: looking', () => {
   it('should capture the pointer on a click, and say so', async () => {
-    const { controls, send, element } = setUp();
+    const { controls, send, element } = controlledPage();
     const heard: string[] = [];
     controls.addEventListener('lock', () => heard.push('lock'));
     controls.addEventListener('unlock', () => heard.push('unlock'));
@@ -203,7 +147,7 @@ describe('CharacterControls: looking', () => {
   });
 
   it('should look by dragging where the capture is refused', async () => {
-    const { controls, send, element } = setUp();
+    const { controls, send, element } = controlledPage();
     element.refuses = true;
     await controls.lock();
     send(element, 'pointermove', { pointerId: 1, clientX: 90, clientY: 0 });
@@ -217,7 +161,7 @@ describe('CharacterControls: looking', () => {
   });
 
   it('should tilt no farther than the limits', async () => {
-    const { controls, send, element } = setUp();
+    const { controls, send, element } = controlledPage();
     await controls.lock();
     send(element, 'pointermove', { movementX: 0, movementY: -1e5 });
     expect(controls.pitch).toBeCloseTo((85 * Math.PI) / 180, 9);
@@ -228,7 +172,7 @@ describe('CharacterControls: looking', () => {
 
 describe('CharacterControls: camera', () => {
   it('should put the camera at the eyes in first person, the avatar undrawn', () => {
-    const { controls, character, camera } = setUp();
+    const { controls, character, camera } = controlledPage();
     character.position.set(1, 2, 3);
     controls.follow(0);
     expect(camera.position.toArray()).toEqual([1, 3.6, 3]);
@@ -236,7 +180,7 @@ describe('CharacterControls: camera', () => {
   });
 
   it('should stand behind and above the head in third person, never under the ground', () => {
-    const { controls, character, camera } = setUp();
+    const { controls, character, camera } = controlledPage();
     const changed = vi.fn();
     controls.addEventListener('change', changed);
     controls.view = 'third';
@@ -256,7 +200,7 @@ describe('CharacterControls: camera', () => {
   });
 
   it('should zoom with the wheel within limits, in third person only', () => {
-    const { controls, send, element } = setUp();
+    const { controls, send, element } = controlledPage();
     const wheel = (deltaY: number) => send(element, 'wheel', { deltaY, deltaMode: 0 });
     expect(wheel(100).defaultPrevented).toBe(false);
     expect(controls.distance).toBe(4);
@@ -269,7 +213,7 @@ describe('CharacterControls: camera', () => {
   });
 
   it('should take a step of the foot gently, a fall and a teleport at once', () => {
-    const { controls, character, camera } = setUp();
+    const { controls, character, camera } = controlledPage();
     controls.follow(1 / 60);
     character.position.y = 0.3;
     controls.follow(1 / 60);
@@ -289,7 +233,7 @@ describe('CharacterControls: camera', () => {
   });
 
   it('should turn the avatar where it walks, the short way round', () => {
-    const { controls, character, key } = setUp({ view: 'third' });
+    const { controls, character, key } = controlledPage({ view: 'third' });
     settle(controls);
     key('keydown', 'KeyD'); // toward +X; an avatar looks along its +Z
     settle(controls);
@@ -298,8 +242,8 @@ describe('CharacterControls: camera', () => {
   });
 
   it('should refuse nonsense and say what it wants', () => {
-    expect(() => setUp({ walkSpeed: -1 })).toThrow(/CharacterControls: "walkSpeed"/);
-    expect(() => setUp({ eyeHeight: NaN })).toThrow(RangeError);
-    expect(() => setUp({ view: 'second' as 'first' })).toThrow(/'first' or 'third'/);
+    expect(() => controlledPage({ walkSpeed: -1 })).toThrow(/CharacterControls: "walkSpeed"/);
+    expect(() => controlledPage({ eyeHeight: NaN })).toThrow(RangeError);
+    expect(() => controlledPage({ view: 'second' as 'first' })).toThrow(/'first' or 'third'/);
   });
 });

@@ -35,7 +35,10 @@ function makePage() {
     ownerDocument: document,
     /** Raw mouse travel is not to be had. */
     noRaw: false,
+    /** No capture is to be had at all. */
+    refuses: false,
     requestPointerLock({ unadjustedMovement = false } = {}) {
+      if (element.refuses) return Promise.reject(new DOMException('no', 'NotAllowedError'));
       if (element.noRaw && unadjustedMovement) {
         return Promise.reject(new DOMException('no', 'NotSupportedError'));
       }
