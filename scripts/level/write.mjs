@@ -3,6 +3,7 @@
 import { Document, NodeIO } from '@gltf-transform/core';
 import { MATERIALS, linear } from './palette.mjs';
 import { HALF } from './parts/ground.mjs';
+import { quarters } from './quarters.mjs';
 
 /** Width of the square that the floor's occlusion map covers, metres, about the middle. */
 export const FLOOR_MAP = 2 * (HALF + 0.5);
@@ -69,9 +70,9 @@ export async function writeLevel({ shapes, textures, occlusion, spawn }) {
   const accessor = (type, array) =>
     document.createAccessor().setBuffer(buffer).setType(type).setArray(array);
 
-  for (const shape of shapes) {
-    const mesh = document.createMesh(shape.name);
-    for (const [name, part] of shape.parts) {
+  const node = (title, parts) => {
+    const mesh = document.createMesh(title);
+    for (const [name, part] of parts) {
       const { positions, normals, uvs, colors, indices } = weld(part);
       const count = positions.length / 3;
       const Indices = count > 65535 ? Uint32Array : Uint16Array;
@@ -92,7 +93,16 @@ export async function writeLevel({ shapes, textures, occlusion, spawn }) {
       }
       mesh.addPrimitive(primitive);
     }
-    scene.addChild(document.createNode(shape.name).setMesh(mesh));
+    return document.createNode(title).setMesh(mesh);
+  };
+  for (const shape of shapes) {
+    const pieces = quarters(shape).map(([name, parts]) => node(name, parts));
+    if (pieces.length === 1) scene.addChild(pieces[0]);
+    else {
+      const parent = document.createNode(shape.name);
+      for (const piece of pieces) parent.addChild(piece);
+      scene.addChild(parent);
+    }
   }
   scene.addChild(document.createNode('spawn').setTranslation(spawn));
   return new NodeIO().writeBinary(document);
