@@ -36,7 +36,7 @@ test.describe('every texel against three’s Raycaster (32² faces, centre insid
       const share = report.good / report.texels;
       console.log(
         `    ${report.format}: ${report.good} of ${report.texels} texels (${(100 * share).toFixed(2)} %) within ` +
-          `1 cm and 0.02; worst of these ${(1000 * report.worstDistance).toFixed(2)} mm, normal ${report.worstNormal.toFixed(4)}; ` +
+          `1 cm and 0.02; worst of these ${(1e6 * report.worstDistance).toFixed(1)} µm, normal ${report.worstNormal.toFixed(4)}; ` +
           `${report.unexplained} of the rest not at a silhouette`,
       );
       expect(report.format).toBe(options.collider?.format ?? 'RGBA32F');

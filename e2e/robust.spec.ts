@@ -105,6 +105,12 @@ test('should warn of a format that cannot be drawn, and take one that can', asyn
   expect(seen).toBeCloseTo(2, 2);
 });
 
+test('should wait for no read that is asked for asynchronously, however far apart', async ({
+  page,
+}) => {
+  expect(await run(page, 'askedFarApart')).toEqual({ errors: [0, 0, 0, 0], forced: 0 });
+});
+
 test('should lose no read to a bad call', async ({ page }) => {
   expect(await run(page, 'badCallBetween')).toEqual({ bad: null, good: true, field: true });
 });

@@ -203,6 +203,20 @@ const cases = {
     return { warnings, format: collider.format, seen: middle(collider, 0).distance };
   },
 
+  /** Reads asked for far apart: none may be waited for. */
+  async askedFarApart() {
+    const renderer = new WebGLRenderer();
+    const scene = room(BackSide, 40);
+    const collider = new CubeCollider({ far: 2, slack: 0.1 });
+    const errors: number[] = [];
+    for (let i = 0; i < 4; i++) {
+      collider.position.x = 3 * i;
+      const field = await collider.updateAsync(renderer, scene);
+      errors.push(field!.center.distanceTo(collider.position));
+    }
+    return { errors, forced: collider.stats.forced };
+  },
+
   /** A bad call must not lose a good read on its way. */
   async badCallBetween() {
     const renderer = new WebGLRenderer();

@@ -16,7 +16,7 @@ export interface AxisModel {
 }
 
 /** [forward, right, up] per face: the paper's matrices (3)-(8), written out by hand. */
-const AXES = [
+export const AXES = [
   [1, 0, 0, 0, 0, 1, 0, 1, 0],
   [-1, 0, 0, 0, 0, -1, 0, 1, 0],
   [0, 1, 0, 1, 0, 0, 0, 0, 1],

@@ -1,12 +1,4 @@
-import {
-  BackSide,
-  DoubleSide,
-  FrontSide,
-  type Material,
-  NoBlending,
-  ShaderMaterial,
-  type Side,
-} from 'three';
+import { BackSide, DoubleSide, type Material, NoBlending, ShaderMaterial, type Side } from 'three';
 import type { TexelFormat } from '../cube/encoding.js';
 import {
   axisFragmentShader,
@@ -83,14 +75,7 @@ export class CollisionMaterials {
           ? { rMin: { value: rMin }, rMax: { value: rMax } }
           : { far: { value: far }, frontSign: { value: frontSign } }),
       },
-      side:
-        sides === 'both'
-          ? DoubleSide
-          : side === DoubleSide
-            ? DoubleSide
-            : side === BackSide
-              ? BackSide
-              : FrontSide,
+      side: sides === 'both' ? DoubleSide : side,
       // Drawn twice otherwise, if a user's override ever made it transparent.
       forceSinglePass: true,
       blending: NoBlending,

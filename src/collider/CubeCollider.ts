@@ -166,27 +166,28 @@ export class CubeCollider extends Object3D {
       this.#draw(renderer, scene, center, true);
       this.#settle();
     } else if (gpu.ring.free) {
-      this.#draw(renderer, scene, center, false);
-      gpu.scheduler!.wait(this.#client);
+      this.#drawForLater(renderer, scene, center);
     } else {
       this.stats.skipped++;
     }
   }
 
   /**
-   * `update`, resolved once what it drew has been read: for tests, tools and loading screens. It does not block.
+   * `update`, resolved once what it drew has been read: for tests, tools and loading screens. Unless the read-back is
+   * 'sync' it does not block, however far the collider has moved.
    *
    * @returns the field; null in the paper's mode (whose `maxima` are then fresh), where `update` could not draw, and
    *   where `invalidate`, `dispose` or a lost context came between
    */
   async updateAsync(renderer: WebGLRenderer, scene: Object3D): Promise<SurfaceField | null> {
     if (!this.#usable(renderer, scene)) return null;
-    const drawn = this.stats.draws;
-    // Reads on their way are of no more use: what is asked for is newer.
-    this.#gpu?.ring.drop();
-    this.update(renderer, scene);
-    if (this.stats.draws === drawn) return null;
-    if (this.#gpu !== null && this.#gpu.ring.inFlight > 0) {
+    if (this.readback === 'sync') {
+      this.update(renderer, scene);
+    } else {
+      this.#updates++;
+      // Reads on their way are of no more use: what is asked for is newer.
+      this.#resources(renderer).ring.drop();
+      this.#drawForLater(renderer, scene, worldPosition.setFromMatrixPosition(this.matrixWorld));
       this.#urgent = true;
       await new Promise<void>((resolve) => this.#waiters.push(resolve));
     }
@@ -234,6 +235,11 @@ export class CubeCollider extends Object3D {
     this.#blocked(start);
     if (stamp !== null) this.#newest.publish(gpu, stamp, this.#updates);
     this.#settle();
+  }
+
+  #drawForLater(renderer: WebGLRenderer, scene: Object3D, center: Vector3): void {
+    this.#draw(renderer, scene, center, false);
+    this.#gpu!.scheduler!.wait(this.#client);
   }
 
   /** Select, draw, and read (`now`, or start to): what was drawn last is still bound then. */

@@ -5,10 +5,10 @@ const current = new Vector4();
 /**
  * What a draw of ours changes on the user's renderer, taken before and put back after.
  *
- * Tone mapping and colour space need nothing: three ignores them for a render target. The clear colour is never
- * touched (`PrivateScene`, `clearTexels`). Viewport and scissor come back with the canvas; where the user has a target of his
- * own bound they may differ from that target's, and are kept here. Nothing here waits for the GPU but
- * one question, for the scissor box, asked only where a scissor test is on and its box cannot be known otherwise.
+ * Tone mapping and colour space need nothing: three ignores them for a render target. The clear colour is never touched
+ * (`PrivateScene`, `clearTexels`). Viewport and scissor come back with the canvas; where the user has a target bound
+ * they may differ from that target's, and are kept here. Nothing here waits for the GPU but one question, for the
+ * scissor box, asked only where a scissor test is on and its box cannot be known otherwise.
  */
 export class RendererState {
   #target: RenderTarget | null = null;
@@ -66,7 +66,7 @@ export class RendererState {
     renderer.xr.enabled = this.#xr;
     renderer.setRenderTarget(this.#target as never, this.#face, this.#mip);
     if (!renderer.getCurrentViewport(current).equals(this.#viewport)) {
-      // The user called setViewport with his target bound; or the pixel ratio is broken, and three rounds a viewport
+      // The user called setViewport with a target bound; or the pixel ratio is broken, and three rounds a viewport
       // that is set but floors it when the canvas is bound. Setting it once more makes it current again.
       renderer.setViewport(renderer.getViewport(current));
       if (this.#target !== null) renderer.state.viewport(this.#viewport);

@@ -1,3 +1,4 @@
+import { AXES } from '../../e2e/support/axisModel.js';
 import { Vector3, type Object3D } from 'three';
 import type { CharacterCollider } from '../../src/character/CharacterCollider.js';
 import { AxisMaxima } from '../../src/cube/AxisMaxima.js';
@@ -114,16 +115,6 @@ export class AnalyticCollider implements CharacterCollider {
 /** How far from a face's middle a texel is: squared, in half texels. */
 const offMiddle = (texel: number, n: number) =>
   (2 * (texel % n) + 1 - n) ** 2 + (2 * Math.floor(texel / n) + 1 - n) ** 2;
-
-/** [forward, right, up] of each face as the paper's table of matrices has them, written out by hand. */
-const AXES = [
-  [1, 0, 0, 0, 0, 1, 0, 1, 0],
-  [-1, 0, 0, 0, 0, -1, 0, 1, 0],
-  [0, 1, 0, 1, 0, 0, 0, 0, 1],
-  [0, -1, 0, 1, 0, 0, 0, 0, -1],
-  [0, 0, 1, -1, 0, 0, 0, 1, 0],
-  [0, 0, -1, 1, 0, 0, 0, 1, 0],
-] as const;
 
 /** Red of every texel of a face, row by row, by casting its middle's ray. */
 export function redTexels(
