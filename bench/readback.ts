@@ -11,6 +11,7 @@ import {
   BackSide,
 } from 'three';
 import { CubeCollider } from 'three-cube-collider';
+import { DrawnObjects } from '../src/collider/DrawnObjects.js';
 import { ReadbackRing } from '../src/collider/ReadbackRing.js';
 
 /**
@@ -80,6 +81,7 @@ export default async function readback({
   };
   const target = collider.renderTarget!;
   const ring = new ReadbackRing(gl, target.width, target.height, true);
+  const objects = new DrawnObjects();
   result.bytes = ring.data.byteLength;
   let last = performance.now();
   let reads = collider.stats.reads;
@@ -101,7 +103,14 @@ export default async function readback({
           renderer.setRenderTarget(target);
           renderer.clear();
           serial++;
-          ring.start({ center: new Vector3(), time: performance.now(), serial, update: serial });
+          ring.start({
+            center: new Vector3(),
+            far: 2,
+            time: performance.now(),
+            serial,
+            update: serial,
+            objects,
+          });
           renderer.setRenderTarget(null);
         }
       } else if (mode === 'ask') {

@@ -7,6 +7,8 @@ const STAGE_HEIGHT = 0.48;
 const STAGE_WALL = -13.7;
 const PIT_EDGE = 14;
 const RADIUS = 0.35;
+/** What the body keeps to what it touches: 20 mm at rest. */
+const [LEAST_GAP, MOST_GAP] = [0.01, 0.025];
 
 /** Opens the demo and waits until one can walk. */
 async function open(page: Page, query: string): Promise<void> {
@@ -65,8 +67,10 @@ test.describe('walking', () => {
     await page.keyboard.up('KeyW');
     await page.keyboard.up('ShiftLeft');
     expect(x).toBeCloseTo(0, 1);
-    expect(Math.abs(y! - STAGE_HEIGHT)).toBeLessThan(0.02);
-    expect(Math.abs(z! - (STAGE_WALL + RADIUS))).toBeLessThan(0.05);
+    for (const gap of [y! - STAGE_HEIGHT, z! - RADIUS - STAGE_WALL]) {
+      expect(gap).toBeGreaterThan(LEAST_GAP);
+      expect(gap).toBeLessThan(MOST_GAP);
+    }
   });
 
   test('falls into the pit and comes back at the start', async ({ page }) => {
@@ -88,11 +92,11 @@ test.describe('walking', () => {
 
   test('goes on where it is with another collider', async ({ page }) => {
     await open(page, 'ui=0');
+    await page.evaluate(() => window.demo.step(6));
     const before = await foot(page);
     const resolution = await page.evaluate(async () => {
       const { demo } = window;
-      await demo.step(1);
-      Object.assign(demo.settings, { output: 'surface', resolution: 16, helper: true });
+      Object.assign(demo.settings, { resolution: 16, helper: true });
       demo.apply('collider');
       await demo.step(4);
       return demo.collider.field?.resolution;
@@ -100,12 +104,60 @@ test.describe('walking', () => {
     expect(resolution).toBe(16);
     (await foot(page)).forEach((value, i) => expect(value).toBeCloseTo(before[i]!, 2));
   });
+
+  test('walks on with the paper’s response, and with its six maxima', async ({ page }) => {
+    await open(page, 'ui=0');
+    const walked = await page.evaluate(async () => {
+      const { demo } = window;
+      const walk = demo.spawn.clone().set(0, 0, -3);
+      const ways: number[] = [];
+      for (const [response, output] of [
+        ['slide', 'surface'],
+        ['axis', 'surface'],
+        ['axis', 'axis'],
+        ['slide', 'surface'],
+      ] as const) {
+        Object.assign(demo.settings, { response, output });
+        demo.apply(output === demo.collider.output ? 'response' : 'collider');
+        await demo.step(10);
+        const { z } = demo.character.position;
+        for (let i = 0; i < 20; i++) {
+          demo.character.walk(walk);
+          await demo.step(1);
+        }
+        ways.push(z - demo.character.position.z);
+      }
+      return ways;
+    });
+    // A third of a second at 3 m/s.
+    for (const way of walked) expect(Math.abs(way - 1)).toBeLessThan(0.15);
+  });
+
+  test('rides its lift up to the balcony', async ({ page }) => {
+    await open(page, 'ui=0');
+    const ride = await page.evaluate(async () => {
+      const { demo } = window;
+      demo.movers!.time = 0;
+      demo.character.teleport(demo.spawn.clone().set(-24.75, 0.2, -7.2));
+      await demo.step(20);
+      const began = demo.character.position.clone();
+      const ground = demo.character.ground?.object?.name;
+      await demo.step(65, 0.1);
+      return { ground, way: demo.character.position.clone().sub(began).toArray() };
+    });
+    expect(ride.ground).toBe('lift');
+    expect(Math.hypot(ride.way[0]!, ride.way[2]!)).toBeLessThan(0.01);
+    expect(ride.way[1]).toBeCloseTo(2.9, 2);
+  });
 });
 
 test('looks as it did in first and in third person', async ({ page }) => {
   await page.setViewportSize({ width: 640, height: 360 });
   await open(page, 'ui=0&helper=1');
-  await page.evaluate(() => window.demo.step(3));
+  await page.evaluate(async () => {
+    window.demo.movers!.time = 0;
+    await window.demo.step(3);
+  });
   await expect(page).toHaveScreenshot('first-person.png');
   await page.evaluate(async () => {
     const { demo } = window;

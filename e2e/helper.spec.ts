@@ -9,6 +9,7 @@ test('should show what each collider sees, where it is, and leave the renderer a
     { ordered: true, balls: 6, rings: 0 },
     { ordered: true, balls: 6, rings: 0 },
     { ordered: true, balls: 6, rings: 0 },
+    { ordered: true, balls: 6, rings: 0 },
     { ordered: true, balls: 6, rings: 6 },
   ]);
   expect(report.changed).toEqual([]);

@@ -85,17 +85,24 @@ test('should move to another renderer and back', async ({ page }) => {
   expect(await run(page, 'renderers')).toEqual([1, 2, 1, 2]);
 });
 
-test('should leave no listener, buffer, fence or scenery behind', async ({ page }) => {
-  const { during, after } = await run(page, 'leftovers', {});
-  expect(during).toMatchObject({ listeners: 1, buffers: 2 });
-  expect(during.fences).toBeGreaterThan(0);
-  expect(after).toEqual({ listeners: 0, buffers: 0, fences: 0 });
-  const session = await page.context().newCDPSession(page);
-  const held = async () => {
-    await session.send('HeapProfiler.collectGarbage');
-    return page.evaluate(
-      () => (window as unknown as { held: WeakRef<object> }).held.deref() !== undefined,
-    );
-  };
-  await expect.poll(held, { timeout: 10_000 }).toBe(false);
-});
+for (const [options, buffers] of [
+  [{}, 2],
+  [{ format: 'RGBA8' }, 4],
+] satisfies [CubeColliderOptions, number][]) {
+  test(`should leave no listener, buffer, fence or scenery behind: ${JSON.stringify(options)}`, async ({
+    page,
+  }) => {
+    const { during, after } = await run(page, 'leftovers', options);
+    expect(during).toMatchObject({ listeners: 1, buffers });
+    expect(during.fences).toBeGreaterThan(0);
+    expect(after).toEqual({ listeners: 0, buffers: 0, fences: 0 });
+    const session = await page.context().newCDPSession(page);
+    const held = async () => {
+      await session.send('HeapProfiler.collectGarbage');
+      return page.evaluate(
+        () => (window as unknown as { held: WeakRef<object> }).held.deref() !== undefined,
+      );
+    };
+    await expect.poll(held, { timeout: 10_000 }).toBe(false);
+  });
+}

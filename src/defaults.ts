@@ -8,6 +8,8 @@ export const DEFAULTS = {
     output: 'surface',
     /** Texels per face edge. */
     resolution: 32,
+    /** Drawn this many times finer along each edge; each texel read is the nearest of its block. (The paper's mode: 1.) */
+    supersample: 4,
     /** Reach: how far from its centre the cubemap sees. */
     far: 1.8,
     /** Nearest distance drawn, as a part of the reach. */
@@ -33,8 +35,22 @@ export const DEFAULTS = {
     gravity: 20,
     terminalSpeed: 50,
     jumpHeight: 1.1,
-    /** How long it counts as grounded, and may jump, after the ground last pushed. */
-    coyote: 0.1,
+    /** Gap kept between body and surface. */
+    skin: 0.02,
+    /** Steepest slope that is walked and stood on. */
+    slopeLimit: (50 * Math.PI) / 180,
+    /** Highest step that is climbed without a jump. */
+    stepHeight: 0.4,
+    /** How far down it follows the ground it walks off. */
+    snapDistance: 0.4,
+    /** Total height while crouched. */
+    crouchHeight: 1.1,
+    /** How long it counts as grounded, and may jump, after the ground last carried it. */
+    coyoteTime: 0.1,
+    /** How long a jump asked for too early is remembered. */
+    jumpBuffer: 0.1,
+    /** How fast the speed in the air turns toward the wish, m/s². */
+    airControl: 25,
     /** Longest step taken at once. */
     maxDelta: 0.1,
   },

@@ -36,17 +36,18 @@ export default async function contextLoss(options: CubeColliderOptions) {
     return character.position.clone();
   };
 
-  const began = await walk(30);
+  const began = await walk(120);
   await lose();
   const held = [await walk(10), await walk(10)];
   const readyWhileLost = character.ready;
   await restore();
-  const resumed = await walk(30);
+  // A draw that got lost is waited for a while before the next, and read some frames later.
+  const resumed = await walk(120);
   const drop = collider.stats.reads;
   const twice = lose();
   await twice;
   await restore();
-  const again = await walk(30);
+  const again = await walk(120);
   const report = {
     began: began.x,
     heldStill: held[0]!.distanceTo(held[1]!),

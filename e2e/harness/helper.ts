@@ -21,6 +21,7 @@ const CASES: CubeColliderOptions[] = [
   { format: 'RGBA32F' },
   { format: 'RGBA16F' },
   { format: 'RGBA8' },
+  { supersample: 4 },
   { output: 'axis', rMin: 0.1, rMax: 3 },
 ];
 

@@ -12,7 +12,12 @@ import {
   Vector3,
   WebGLRenderer,
 } from 'three';
-import { CharacterController, CubeCollider, type CubeColliderOptions } from 'three-cube-collider';
+import {
+  AxisResponse,
+  CharacterController,
+  CubeCollider,
+  type CubeColliderOptions,
+} from 'three-cube-collider';
 
 /** Distance and facing of what the middle of a face sees. */
 function middle(collider: CubeCollider, face: number) {
@@ -236,12 +241,14 @@ const cases = {
     const moved = new CubeCollider({ readback: 'sync' });
     parent.add(moved);
     const counts: number[] = [];
-    for (const collider of [
-      new CubeCollider({ resolution: 5, readback: 'sync' }),
-      new CubeCollider({ far: 0.3, readback: 'sync' }),
-      moved,
-    ]) {
-      const character = new CharacterController(collider);
+    const axis = { response: new AxisResponse() };
+    for (const [collider, options] of [
+      // The paper's spheres want finer texels than surfels do.
+      [new CubeCollider({ resolution: 5, readback: 'sync' }), axis],
+      [new CubeCollider({ far: 0.3, readback: 'sync' }), {}],
+      [moved, {}],
+    ] as const) {
+      const character = new CharacterController(collider, options);
       character.teleport(new Vector3(0, 1, 0));
       const warnings = await warningsOf(() => {
         for (let i = 0; i < 150; i++) character.update(renderer, scene, 1 / 60);

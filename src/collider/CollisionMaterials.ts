@@ -1,4 +1,12 @@
-import { BackSide, DoubleSide, type Material, NoBlending, ShaderMaterial, type Side } from 'three';
+import {
+  BackSide,
+  DoubleSide,
+  GLSL3,
+  type Material,
+  NoBlending,
+  ShaderMaterial,
+  type Side,
+} from 'three';
 import type { TexelFormat } from '../cube/encoding.js';
 import {
   axisFragmentShader,
@@ -29,9 +37,17 @@ export class CollisionMaterials {
   /** For groups that are no obstacle, or have no material. */
   readonly #nothing = new ShaderMaterial({ visible: false });
   readonly #arrays = new WeakMap<Material[], ShaderMaterial[]>();
+  /** Shared by all: one value to set. */
+  readonly #far: { value: number };
 
   constructor(settings: CollisionMaterialSettings) {
     this.#settings = settings;
+    this.#far = { value: settings.far };
+  }
+
+  /** Reach, metres. */
+  set far(far: number) {
+    this.#far.value = far;
   }
 
   /** The collision material for a mesh's material, or one for each of several. */
@@ -60,7 +76,7 @@ export class CollisionMaterials {
   }
 
   #create(side: Side): ShaderMaterial {
-    const { output, sides, format, resolution, near, far, rMin, rMax } = this.#settings;
+    const { output, sides, format, resolution, near, rMin, rMax } = this.#settings;
     const axis = output === 'axis';
     // Culled as a BackSide material, three turns the facing round itself.
     const frontSign = sides === 'both' && side === BackSide ? -1 : 1;
@@ -73,8 +89,14 @@ export class CollisionMaterials {
         near: { value: near },
         ...(axis
           ? { rMin: { value: rMin }, rMax: { value: rMax } }
-          : { far: { value: far }, frontSign: { value: frontSign } }),
+          : {
+              far: this.#far,
+              frontSign: { value: frontSign },
+              // Set by each object's proxy before it is drawn.
+              object: { value: 0 },
+            }),
       },
+      glslVersion: axis ? null : GLSL3,
       side: sides === 'both' ? DoubleSide : side,
       // Drawn twice otherwise, if a user's override ever made it transparent.
       forceSinglePass: true,

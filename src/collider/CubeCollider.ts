@@ -8,15 +8,19 @@ import type { CollisionMaterials } from './CollisionMaterials.js';
 import {
   type CubeColliderOptions,
   type CubeColliderSettings,
+  checkFar,
   resolveOptions,
 } from './CubeColliderOptions.js';
 import { type CubeColliderStats, emptyStats } from './CubeColliderStats.js';
+import { DrawnObjects } from './DrawnObjects.js';
 import { NewestRead } from './NewestRead.js';
 import type { DrawStamp } from './ReadbackRing.js';
 import type { ReadbackClient } from './ReadbackScheduler.js';
 import { PrivateScene } from './PrivateScene.js';
 import { RendererState } from './RendererState.js';
-import { Selection, type SelectionRules } from './Selection.js';
+import type { SelectionRules } from './SceneWalk.js';
+import { Selection } from './Selection.js';
+import { Survey, type SurveyReport } from './Survey.js';
 import { clearTexels } from './texelTarget.js';
 
 const worldPosition = new Vector3();
@@ -47,10 +51,12 @@ export class CubeCollider extends Object3D {
   readonly output: 'surface' | 'axis';
   /** Texels per face edge. */
   readonly resolution: number;
+  /** How many times finer along each edge it is drawn than read. */
+  readonly supersample: 1 | 2 | 4;
   /** Nearest distance seen along a face's axis, metres. */
   readonly near: number;
-  /** Reach, metres. */
-  readonly far: number;
+  /** The user gave no `far` for surfaces: a character may set it to what its body and speed need. */
+  readonly autoFar: boolean;
   /** Paper's mode: distance at which red is 1, metres. */
   readonly rMin: number;
   /** Paper's mode: radius of the sphere, metres. */
@@ -66,20 +72,24 @@ export class CubeCollider extends Object3D {
   readonly #settings: CubeColliderSettings;
   readonly #excluded = new Set<Object3D>();
   readonly #selection = new Selection();
+  readonly #survey = new Survey();
   readonly #state = new RendererState();
   readonly #scene = new PrivateScene();
   readonly #newest: NewestRead;
   readonly #warnings = new Warnings('CubeCollider');
   #gpu: ColliderResources | null = null;
+  #far: number;
   #updates = 0;
   #urgent = false;
   #waiters: (() => void)[] = [];
   #disposed = false;
   readonly #stamp: DrawStamp = {
     center: new Vector3(),
+    far: 0,
     time: 0,
     serial: 0,
     update: 0,
+    objects: new DrawnObjects(),
   };
   readonly #rules: SelectionRules = {
     layers: this.layers,
@@ -98,8 +108,10 @@ export class CubeCollider extends Object3D {
     this.#settings = settings;
     this.output = settings.output;
     this.resolution = settings.resolution;
+    this.supersample = settings.supersample;
     this.near = settings.near;
-    this.far = settings.far;
+    this.#far = settings.far;
+    this.autoFar = settings.autoFar;
     this.rMin = settings.rMin;
     this.rMax = settings.rMax;
     this.readback = settings.readback;
@@ -108,6 +120,19 @@ export class CubeCollider extends Object3D {
     this.#newest = new NewestRead(settings, this.stats);
     this.#dress = (source: Parameters<CollisionMaterials['for']>[0]) =>
       this.#gpu!.materials.for(source);
+  }
+
+  /**
+   * Reach of the next draw, metres; a field knows its own.
+   *
+   * @throws RangeError where it is set to what is not finite or not greater than `near`
+   */
+  get far(): number {
+    return this.#far;
+  }
+
+  set far(far: number) {
+    this.#far = checkFar(far, this.near, this.output === 'axis' ? this.rMax : 0);
   }
 
   /** The newest surfaces, or null before the first. It is overwritten two fields later; copy what must last. */
@@ -120,7 +145,10 @@ export class CubeCollider extends Object3D {
     return this.#newest.maxima;
   }
 
-  /** The atlas: 3×2 tiles of resolution² texels; null before the first update. */
+  /**
+   * The atlas that is read: 3×2 tiles of resolution² texels, the nearest ones where `supersample` draws finer; null
+   * before the first update.
+   */
   get renderTarget(): WebGLRenderTarget | null {
     return this.#gpu?.atlas ?? null;
   }
@@ -150,9 +178,11 @@ export class CubeCollider extends Object3D {
   /**
    * Draws the cubemap around this object's world position and starts its read-back; with 'sync' finishes it too. Call
    * it at the start of a frame, before the scene is rendered.
+   *
+   * @returns whether it drew; not while two reads are on their way, nor where it warns
    */
-  update(renderer: WebGLRenderer, scene: Object3D): void {
-    if (!this.#usable(renderer, scene)) return;
+  update(renderer: WebGLRenderer, scene: Object3D): boolean {
+    if (!this.#usable(renderer, scene)) return false;
     this.#updates++;
     const gpu = this.#resources(renderer);
     const center = worldPosition.setFromMatrixPosition(this.matrixWorld);
@@ -169,7 +199,9 @@ export class CubeCollider extends Object3D {
       this.#drawForLater(renderer, scene, center);
     } else {
       this.stats.skipped++;
+      return false;
     }
+    return true;
   }
 
   /**
@@ -194,6 +226,28 @@ export class CubeCollider extends Object3D {
     return this.#newest.field;
   }
 
+  /**
+   * Looks at what is solid around the last draw, by the same rules and within the same reach, and brings the scene's
+   * world matrices up to date; draws nothing. Whoever keeps a field for many frames asks this in each: it is one walk
+   * over the scene's visible objects, whatever their triangles.
+   *
+   * Without a draw, or after `invalidate`, everything is `changed`. What cannot be surveyed (no scene, disposed) it
+   * warns of once, and reports nothing.
+   *
+   * @returns the same object each time
+   */
+  survey(scene: Object3D): Readonly<SurveyReport> {
+    if (!this.#alive() || !this.#isScene(scene, 'survey(scene)')) return this.#survey.nothing();
+    this.updateWorldMatrix(true, false);
+    const center = worldPosition.setFromMatrixPosition(this.matrixWorld);
+    try {
+      return this.#survey.look(scene, center, this.#reach, this.#rules);
+    } catch (error) {
+      this.#warnings.once(`the scene cannot be surveyed: ${String(error)}`, 'survey');
+      return this.#survey.nothing();
+    }
+  }
+
   /** Compiles the programs for what is in `scene`, so that the first `update` does not stutter. */
   async compile(renderer: WebGLRenderer, scene: Object3D): Promise<void> {
     if (!this.#usable(renderer, scene)) return;
@@ -201,9 +255,10 @@ export class CubeCollider extends Object3D {
     this.#select(scene, worldPosition.setFromMatrixPosition(this.matrixWorld), Infinity);
     this.#state.enter(renderer);
     try {
-      renderer.setRenderTarget(gpu.atlas);
+      renderer.setRenderTarget(gpu.drawn);
       gpu.compiling = renderer.compileAsync(this.#scene, gpu.cameras);
       gpu.axis?.compile(renderer);
+      gpu.nearest?.compile(renderer);
     } finally {
       this.#state.leave(renderer);
       this.#selection.clear();
@@ -215,6 +270,7 @@ export class CubeCollider extends Object3D {
   /** Forgets every field, those on their way included: after a teleport, or when scenery changed at a stroke. */
   invalidate(): void {
     this.#newest.forget(this.#updates);
+    this.#survey.forget();
     this.#gpu?.ring.drop();
     this.#gpu?.scheduler?.cancel(this.#client);
     this.#settle();
@@ -246,21 +302,30 @@ export class CubeCollider extends Object3D {
   #draw(renderer: WebGLRenderer, scene: Object3D, center: Vector3, now: boolean): void {
     const gpu = this.#gpu!;
     const time = performance.now();
-    this.#select(scene, center, this.output === 'axis' ? this.rMax : this.far);
+    this.#select(scene, center, this.#reach);
     gpu.cameras.moveTo(center);
+    gpu.reach(this.#far);
     this.#state.enter(renderer);
     try {
       const before = renderer.info.render.calls;
-      clearTexels(renderer, gpu.atlas);
+      clearTexels(renderer, gpu.drawn);
       renderer.render(this.#scene, gpu.cameras);
       this.stats.drawCalls = renderer.info.render.calls - before;
       gpu.axis?.reduce(renderer);
+      gpu.nearest?.reduce(renderer);
       this.stats.draws++;
+      this.stats.far = this.#far;
+      this.#survey.note(this.#selection.proxies, center, this.#reach);
       if (now) this.#readNow(gpu, this.#stampOf(center, time));
       else gpu.ring.start(this.#stampOf(center, time));
     } finally {
       this.#state.leave(renderer);
     }
+  }
+
+  /** Within what the next draw selects, metres. */
+  get #reach(): number {
+    return this.output === 'axis' ? this.rMax : this.#far;
   }
 
   #select(scene: Object3D, center: Vector3, reach: number): void {
@@ -282,6 +347,10 @@ export class CubeCollider extends Object3D {
 
   #stampOf(center: Vector3, time: number): DrawStamp {
     this.#stamp.center.copy(center);
+    this.#stamp.far = this.#far;
+    if (this.output === 'surface') {
+      this.stats.deforming = this.#stamp.objects.take(this.#selection.proxies);
+    }
     this.#stamp.time = time;
     this.#stamp.serial = this.stats.draws;
     this.#stamp.update = this.#updates;
@@ -308,14 +377,13 @@ export class CubeCollider extends Object3D {
 
   /** May it draw? Else it has said once why not. Brings the world matrix up to date. */
   #usable(renderer: WebGLRenderer, scene: Object3D): boolean {
-    if (this.#disposed) {
-      this.#warnings.once('it was disposed; make a new one.');
-    } else if ((renderer as { isWebGLRenderer?: boolean } | undefined)?.isWebGLRenderer !== true) {
+    if (!this.#alive()) return false;
+    if ((renderer as { isWebGLRenderer?: boolean } | undefined)?.isWebGLRenderer !== true) {
       this.#warnings.once(
         'update(renderer, scene) needs a WebGLRenderer. It keeps its last field.',
       );
-    } else if (!scene?.isObject3D) {
-      this.#warnings.once('update(renderer, scene) needs a scene. It keeps its last field.');
+    } else if (!this.#isScene(scene, 'update(renderer, scene)')) {
+      return false;
     } else if (!renderer.getContext().isContextLost()) {
       this.updateWorldMatrix(true, false);
       const { x, y, z } = worldPosition.setFromMatrixPosition(this.matrixWorld);
@@ -327,10 +395,24 @@ export class CubeCollider extends Object3D {
     return false;
   }
 
+  #alive(): boolean {
+    if (this.#disposed) this.#warnings.once('it was disposed; make a new one.');
+    return !this.#disposed;
+  }
+
+  #isScene(scene: Object3D | undefined, call: string): boolean {
+    if (scene?.isObject3D) return true;
+    this.#warnings.once(`${call} needs a scene. It keeps its last field.`);
+    return false;
+  }
+
   /** Lets go of all that is on a GPU: disposed, another renderer, or the context lost (the next update begins anew). */
   readonly #release = (): void => {
     this.invalidate();
     this.#selection.clear();
+    this.#survey.clear();
+    this.#newest.clear();
+    this.#stamp.objects.clear();
     this.#gpu?.dispose();
     this.#gpu = null;
   };

@@ -18,6 +18,10 @@ export interface CubeColliderStats {
   latencyUpdates: number;
   /** Meshes in the last cubemap. */
   objects: number;
+  /** Those of them that may deform unseen: skinned, morphed, with shaders that are not three's own. */
+  deforming: number;
+  /** Reach of the last cubemap, metres. */
+  far: number;
   /** Draw calls of the last cubemap. */
   drawCalls: number;
 }
@@ -34,6 +38,8 @@ export function emptyStats(): CubeColliderStats {
     latency: 0,
     latencyUpdates: 0,
     objects: 0,
+    deforming: 0,
+    far: 0,
     drawCalls: 0,
   };
 }

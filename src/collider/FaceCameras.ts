@@ -32,6 +32,15 @@ export class FaceCameras extends ArrayCamera {
     this.moveTo(new Vector3());
   }
 
+  /** Lets all six see as far as `far`, metres. */
+  reach(far: number): void {
+    for (const camera of this.cameras) {
+      if (camera.far === far) continue;
+      camera.far = far;
+      camera.updateProjectionMatrix();
+    }
+  }
+
   /** Puts all six at `center`, world space. */
   moveTo(center: Vector3): void {
     for (let face = 0; face < 6; face++) {

@@ -20,6 +20,8 @@ export class NewestRead {
 
   /** Written in turn: the newest stays whole while the next is decoded. */
   readonly #fields: SurfaceField[] = [];
+  /** Shared by both. */
+  #directions: Float32Array | null = null;
   readonly #axisMaxima: AxisMaxima;
   readonly #settings: CubeColliderSettings;
   readonly #stats: CubeColliderStats;
@@ -30,11 +32,6 @@ export class NewestRead {
     this.#settings = settings;
     this.#stats = stats;
     this.#axisMaxima = new AxisMaxima(settings.rMin, settings.rMax);
-    if (settings.output === 'axis') return;
-    const directions = texelDirections(settings.resolution);
-    for (let i = 0; i < 2; i++) {
-      this.#fields.push(new SurfaceField(settings.resolution, settings.far, directions));
-    }
   }
 
   /** Decodes what the ring has copied last. @param update number of the update it arrives in */
@@ -44,11 +41,20 @@ export class NewestRead {
       this.#axisMaxima.center.copy(stamp.center);
       this.maxima = this.#axisMaxima;
     } else {
-      const next = this.#fields[this.#stats.reads % 2]!;
+      const { resolution, supersample } = this.#settings;
+      this.#directions ??= texelDirections(resolution);
+      const next = (this.#fields[this.#stats.reads % 2] ??= new SurfaceField(
+        resolution,
+        stamp.far,
+        // Drawn finer, each texel of each field has a direction of its own.
+        supersample > 1 ? this.#directions.slice() : this.#directions,
+      ));
+      next.far = stamp.far;
       next.center.copy(stamp.center);
       next.time = stamp.time;
       next.serial = stamp.serial;
-      decodeSurface(gpu.format, gpu.ring.data, next);
+      decodeSurface(gpu.format, gpu.ring.data, next, gpu.ring.ids, supersample);
+      stamp.objects.handTo(next);
       this.field = next;
     }
     this.#time = stamp.time;
@@ -65,6 +71,13 @@ export class NewestRead {
     this.#update = update;
   }
 
+  /** Lets go of the fields, and with them of the user's objects; whoever still holds one has it whole. */
+  clear(): void {
+    this.field = null;
+    this.maxima = null;
+    this.#fields.length = 0;
+  }
+
   /**
    * Must the next be waited for? If the reach or the age of this one is about to run out, or there has been none for
    * too long.
@@ -76,7 +89,9 @@ export class NewestRead {
   runsOut(center: Vector3, update: number, inFlight: boolean): boolean {
     const newest = this.maxima ?? this.field;
     if (newest === null) return update - this.#update > PATIENCE;
-    if (newest.center.distanceTo(center) > this.#settings.slack) return true;
+    const { slack, slackRatio, far } = this.#settings;
+    const reach = this.field === null ? far : this.field.far;
+    if (newest.center.distanceTo(center) > (slack ?? slackRatio * reach)) return true;
     return inFlight && performance.now() - this.#time > 1000 * this.#settings.maxAge;
   }
 }

@@ -1,23 +1,32 @@
 import { Vector3 } from 'three';
+import { DrawnObjects } from './DrawnObjects.js';
 
-/** When and where the texels of a read were drawn. */
+/** When and where the texels of a read were drawn, and what. */
 export interface DrawStamp {
   readonly center: Vector3;
+  /** Reach, metres. */
+  far: number;
   /** `performance.now()` milliseconds. */
   time: number;
   /** Number of the draw. */
   serial: number;
   /** Number of the update that drew. */
   update: number;
+  /** The draw's own table; `ReadbackRing.start` takes it and leaves an empty one. */
+  objects: DrawnObjects;
 }
 
-/** One pixel-pack buffer and what is on its way in it. */
+/** A pixel-pack buffer for each texture and what is on its way in them. */
 class PackBuffer implements DrawStamp {
   readonly center = new Vector3();
+  far = 0;
   time = 0;
   serial = 0;
   update = 0;
+  objects = new DrawnObjects();
   buffer: WebGLBuffer | null = null;
+  /** For ids; a buffer of its own, since several browsers mishandle offsets into one. */
+  idBuffer: WebGLBuffer | null = null;
   fence: WebGLSync | null = null;
   pending = false;
 }
@@ -35,20 +44,32 @@ const SLOTS = 2;
 export class ReadbackRing {
   /** The texels copied last. */
   readonly data: Float32Array | Uint8Array;
+  /** The ids copied last, 4 bytes a texel; null if they have no texture of their own. */
+  readonly ids: Uint8Array | null;
   readonly #gl: WebGL2RenderingContext;
   readonly #slots = Array.from({ length: SLOTS }, () => new PackBuffer());
   readonly #width: number;
   readonly #height: number;
   readonly #type: number;
 
-  /** @param float RGBA floats if true, RGBA bytes if not */
-  constructor(gl: WebGL2RenderingContext, width: number, height: number, float: boolean) {
+  /**
+   * @param float RGBA floats if true, RGBA bytes if not
+   * @param ids whether a second texture, of RGBA bytes, is read too
+   */
+  constructor(
+    gl: WebGL2RenderingContext,
+    width: number,
+    height: number,
+    float: boolean,
+    ids = false,
+  ) {
     this.#gl = gl;
     this.#width = width;
     this.#height = height;
     this.#type = float ? gl.FLOAT : gl.UNSIGNED_BYTE;
     const length = 4 * width * height;
     this.data = float ? new Float32Array(length) : new Uint8Array(length);
+    this.ids = ids ? new Uint8Array(length) : null;
   }
 
   /** Reads on their way. */
@@ -67,6 +88,10 @@ export class ReadbackRing {
   readNow(): void {
     const gl = this.#gl;
     gl.readPixels(0, 0, this.#width, this.#height, gl.RGBA, this.#type, this.data);
+    if (this.ids === null) return;
+    gl.readBuffer(gl.COLOR_ATTACHMENT1);
+    gl.readPixels(0, 0, this.#width, this.#height, gl.RGBA, gl.UNSIGNED_BYTE, this.ids);
+    gl.readBuffer(gl.COLOR_ATTACHMENT0);
   }
 
   /** Starts reading the framebuffer bound now; returns false if no buffer is free. */
@@ -75,19 +100,20 @@ export class ReadbackRing {
     for (const candidate of this.#slots) if (!candidate.pending) slot = candidate;
     if (slot === null) return false;
     const gl = this.#gl;
-    if (slot.buffer === null) {
-      slot.buffer = gl.createBuffer();
-      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, slot.buffer);
-      // STREAM_READ is no faster here and makes Chromium warn at every read.
-      gl.bufferData(gl.PIXEL_PACK_BUFFER, this.data.byteLength, gl.STREAM_COPY);
-    } else {
-      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, slot.buffer);
+    slot.buffer = this.#pack(slot.buffer, this.#type, this.data.byteLength);
+    if (this.ids !== null) {
+      gl.readBuffer(gl.COLOR_ATTACHMENT1);
+      slot.idBuffer = this.#pack(slot.idBuffer, gl.UNSIGNED_BYTE, this.ids.byteLength);
+      gl.readBuffer(gl.COLOR_ATTACHMENT0);
     }
-    gl.readPixels(0, 0, this.#width, this.#height, gl.RGBA, this.#type, 0);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
     slot.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
     slot.center.copy(stamp.center);
+    slot.far = stamp.far;
+    const { objects } = slot;
+    slot.objects = stamp.objects;
+    stamp.objects = objects;
     slot.time = stamp.time;
     slot.serial = stamp.serial;
     slot.update = stamp.update;
@@ -104,7 +130,7 @@ export class ReadbackRing {
   /**
    * Copies the newest read on its way into `data` and drops the older ones, waiting for the GPU if it must.
    *
-   * @returns where and when it was drawn, or null if none is on its way
+   * @returns where, when and what was drawn (the table is the caller's to take), or null if none is on its way
    */
   finish(): DrawStamp | null {
     const newest = this.#newest();
@@ -112,25 +138,47 @@ export class ReadbackRing {
     const gl = this.#gl;
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, newest.buffer);
     gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, this.data);
+    if (this.ids !== null) {
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, newest.idBuffer);
+      gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, this.ids);
+    }
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-    this.drop();
+    this.#drop(newest);
     return newest;
   }
 
   /** Forgets the reads on their way. */
   drop(): void {
-    for (const slot of this.#slots) {
-      if (slot.fence !== null) this.#gl.deleteSync(slot.fence);
-      slot.fence = null;
-      slot.pending = false;
-    }
+    this.#drop(null);
   }
 
   dispose(): void {
     this.drop();
     for (const slot of this.#slots) {
       this.#gl.deleteBuffer(slot.buffer);
-      slot.buffer = null;
+      this.#gl.deleteBuffer(slot.idBuffer);
+      slot.buffer = slot.idBuffer = null;
+    }
+  }
+
+  /** Copies from the read buffer into a pixel-pack buffer, on the GPU's side; leaves it bound. */
+  #pack(buffer: WebGLBuffer | null, type: number, bytes: number): WebGLBuffer {
+    const gl = this.#gl;
+    const target = buffer ?? gl.createBuffer();
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, target);
+    // STREAM_READ is no faster here and makes Chromium warn at every read.
+    if (buffer === null) gl.bufferData(gl.PIXEL_PACK_BUFFER, bytes, gl.STREAM_COPY);
+    gl.readPixels(0, 0, this.#width, this.#height, gl.RGBA, type, 0);
+    return target;
+  }
+
+  /** @param taken keeps its table: it is about to be decoded */
+  #drop(taken: PackBuffer | null): void {
+    for (const slot of this.#slots) {
+      if (slot.fence !== null) this.#gl.deleteSync(slot.fence);
+      slot.fence = null;
+      slot.pending = false;
+      if (slot !== taken) slot.objects.clear();
     }
   }
 

@@ -1,34 +1,32 @@
-import { type Layers, type Material, type Mesh, type Object3D, Sphere, type Vector3 } from 'three';
-import { FACES } from '../cube/faces.js';
-import { isSolid } from './isSolid.js';
+import type { Material, Mesh, Object3D, Vector3 } from 'three';
 import { createObjectProxy, type ObjectProxy } from './objectProxy.js';
+import { SceneWalk, type SelectionRules, type WalkListener } from './SceneWalk.js';
 
-/** What decides whether an object is solid. */
-export interface SelectionRules {
-  /** Objects that share no layer with these are passed over. */
-  readonly layers: Layers;
-  /** Returning false makes an object (not what is below it) no obstacle. */
-  readonly filter: ((object: Object3D) => boolean) | null;
-  /** Left out with all below them: the character's own avatar. */
-  readonly excluded: ReadonlySet<Object3D>;
-}
-
-const sphere = new Sphere();
+type Dress = (source: Material | Material[]) => Material | Material[];
 
 /**
- * Finds what the cubemap may see and dresses it as proxies, each with a layer for every face it touches.
- *
- * The first stage of the data's way. It walks the visible scene once an update; it does not yet know which objects
- * moved, so its cost grows with the number of objects (not with their triangles).
+ * Finds what the cubemap may see and dresses it as proxies, each with a layer for every face it touches, numbered from 1
+ * in the order in which they are drawn. The first stage of the data's way.
  */
 export class Selection {
   /** What was selected last: put these into a private scene. */
   readonly proxies: ObjectProxy[] = [];
   readonly #proxyOf = new WeakMap<Mesh, ObjectProxy>();
-  #rules!: SelectionRules;
-  #dress!: (source: Material | Material[]) => Material | Material[];
-  #center!: Vector3;
-  #far = 0;
+  #count = 0;
+  #dress!: Dress;
+
+  readonly #walk = new SceneWalk({
+    solid: (mesh, faces) => {
+      let proxy = this.#proxyOf.get(mesh);
+      if (proxy === undefined) this.#proxyOf.set(mesh, (proxy = createObjectProxy(mesh)));
+      proxy.layers.mask = faces;
+      proxy.material = this.#dress(mesh.material);
+      // Written over, not emptied and pushed: an emptied array gives its storage back.
+      this.proxies[this.#count++] = proxy;
+      proxy.drawNumber = this.#count;
+    },
+    sensor: () => {},
+  } satisfies WalkListener);
 
   /** Lets go of the user's objects. */
   clear(): void {
@@ -42,86 +40,10 @@ export class Selection {
    * @param far metres
    * @param dress gives the material to draw an object's own with
    */
-  select(
-    scene: Object3D,
-    center: Vector3,
-    far: number,
-    rules: SelectionRules,
-    dress: (source: Material | Material[]) => Material | Material[],
-  ): void {
-    if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
-    this.proxies.length = 0;
-    this.#rules = rules;
+  select(scene: Object3D, center: Vector3, far: number, rules: SelectionRules, dress: Dress): void {
     this.#dress = dress;
-    this.#center = center;
-    this.#far = far;
-    this.#visit(scene);
+    this.#count = 0;
+    this.#walk.walk(scene, center, far, rules);
+    this.proxies.length = this.#count;
   }
-
-  /** Visible objects, as the renderer walks them: an invisible one hides what is below it. */
-  #visit(object: Object3D): void {
-    if (!object.visible || object.userData.collider === false) return;
-    if (this.#rules.excluded.has(object)) return;
-    if ((object as Mesh).isMesh && object.layers.test(this.#rules.layers))
-      this.#consider(object as Mesh);
-    const { children } = object;
-    for (let i = 0; i < children.length; i++) this.#visit(children[i]!);
-  }
-
-  #consider(mesh: Mesh): void {
-    if (!anySolid(mesh.material) || !mesh.geometry?.attributes.position) return;
-    const faces = this.#facesTouched(mesh);
-    if (faces === 0) return;
-    if (this.#rules.filter?.(mesh) === false) return;
-    let proxy = this.#proxyOf.get(mesh);
-    if (proxy === undefined) this.#proxyOf.set(mesh, (proxy = createObjectProxy(mesh)));
-    proxy.layers.mask = faces;
-    proxy.material = this.#dress(mesh.material);
-    this.proxies.push(proxy);
-  }
-
-  /** A bit for each face whose pyramid the mesh's bounding sphere touches; 0 if it is out of reach. */
-  #facesTouched(mesh: Mesh): number {
-    if (!mesh.frustumCulled) return 0b111111;
-    worldSphere(mesh, sphere);
-    if (!(sphere.radius >= 0)) return 0;
-    const x = sphere.center.x - this.#center.x;
-    const y = sphere.center.y - this.#center.y;
-    const z = sphere.center.z - this.#center.z;
-    const reach = sphere.radius + this.#far;
-    if (x * x + y * y + z * z > reach * reach) return 0;
-    // The pyramid's planes stand at 45°: a point is inside where forward ± right >= 0 and forward ± up >= 0.
-    const slack = -Math.SQRT2 * sphere.radius;
-    let mask = 0;
-    for (let face = 0; face < 6; face++) {
-      const { forward, right, up } = FACES[face]!;
-      const f = x * forward[0] + y * forward[1] + z * forward[2];
-      const r = Math.abs(x * right[0] + y * right[1] + z * right[2]);
-      const u = Math.abs(x * up[0] + y * up[1] + z * up[2]);
-      if (f - r >= slack && f - u >= slack) mask |= 1 << face;
-    }
-    return mask;
-  }
-}
-
-/** The bounding sphere the renderer would cull by, world space. */
-function worldSphere(mesh: Mesh, target: Sphere): void {
-  const bounded = mesh as Mesh & {
-    boundingSphere?: Sphere | null;
-    computeBoundingSphere?: () => void;
-  };
-  if (bounded.boundingSphere !== undefined) {
-    if (bounded.boundingSphere === null) bounded.computeBoundingSphere!();
-    target.copy(bounded.boundingSphere!);
-  } else {
-    if (mesh.geometry.boundingSphere === null) mesh.geometry.computeBoundingSphere();
-    target.copy(mesh.geometry.boundingSphere!);
-  }
-  target.applyMatrix4(mesh.matrixWorld);
-}
-
-function anySolid(material: Material | Material[]): boolean {
-  if (!Array.isArray(material)) return isSolid(material);
-  for (let i = 0; i < material.length; i++) if (isSolid(material[i])) return true;
-  return false;
 }

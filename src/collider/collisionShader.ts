@@ -1,4 +1,9 @@
-import { encodeSurfaceGLSL, type TexelFormat } from '../cube/encoding.js';
+import {
+  encodeIdsGLSL,
+  encodeSurfaceGLSL,
+  hasIdTexture,
+  type TexelFormat,
+} from '../cube/encoding.js';
 
 /**
  * The vertex shader of both modes: three's own chain of vertex tricks, then the place seen from the centre.
@@ -16,8 +21,15 @@ export const collisionVertexShader = /* glsl */ `
 #include <clipping_planes_pars_vertex>
 uniform float near;
 varying vec3 vFromCenter; // from the cubemap's centre to the surface, world axes
+varying vec2 vInstance; // its number's digits to the base of 4096, rounded by the fragment shader
 
 void main() {
+  #ifdef USE_INSTANCING
+    // Not one flat number: several drivers can have flat ones only by rewriting the geometry.
+    vInstance = vec2( float( gl_InstanceID >> 12 ), float( gl_InstanceID & 4095 ) );
+  #else
+    vInstance = vec2( 0.0 );
+  #endif
   #include <batching_vertex>
   #include <morphinstance_vertex>
   #include <begin_vertex>
@@ -80,13 +92,19 @@ void main() {
   gl_FragColor = vec4( red, 0.0, 0.0, 1.0 );        // (11); the 8-bit target clamps red to 0..1
 }`;
 
-/** Distance, geometric normal and facing of the surface. */
+/** Distance, geometric normal and facing of the surface, whose it is, and which instance. GLSL 3. */
 export function surfaceFragmentShader(format: TexelFormat): string {
+  const beside = hasIdTexture(format);
   return /* glsl */ `
+layout( location = 0 ) out highp vec4 texel;
+${beside ? 'layout( location = 1 ) out highp vec4 ids;' : ''}
 ${FRAGMENT_HEAD}
+varying vec2 vInstance;
 uniform float far;
 uniform float frontSign; // -1 where a material shows the inside of its triangles
+uniform float object; // number of the object drawn now, from 1
 ${encodeSurfaceGLSL(format)}
+${beside ? encodeIdsGLSL : ''}
 
 void main() {
   vec3 normal;
@@ -95,6 +113,9 @@ void main() {
   if ( distance > far ) discard;
   #include <logdepthbuf_fragment>
   bool front = gl_FrontFacing == ( frontSign > 0.0 );
-  gl_FragColor = encodeSurface( distance, normal, front, far );
+  vec2 digits = floor( vInstance + 0.5 );
+  float instance = digits.x * 4096.0 + digits.y;
+  texel = encodeSurface( distance, normal, front, far, object, instance );
+  ${beside ? 'ids = encodeIds( object, instance );' : ''}
 }`;
 }

@@ -1,11 +1,31 @@
-import { Layers, type Material, Matrix3, Matrix4, type Mesh } from 'three';
+import { Layers, type Material, Matrix3, Matrix4, type Mesh, type ShaderMaterial } from 'three';
 
 /** A stand-in for a user's mesh in the collider's own scene. */
 export interface ObjectProxy extends Mesh {
   material: Material | Material[];
+  /** The user's mesh. */
+  readonly source: Mesh;
+  /** Its number in the draw, from 1. */
+  drawNumber: number;
 }
 
 const nothing = () => {};
+
+/** Tells the shared material, which three is about to draw this object with, whose turn it is. */
+function announce(
+  this: ObjectProxy,
+  _renderer: unknown,
+  _scene: unknown,
+  _camera: unknown,
+  _geometry: unknown,
+  material: Material,
+): void {
+  const { object } = (material as ShaderMaterial).uniforms;
+  if (object === undefined) return;
+  object.value = this.drawNumber;
+  // Else three uploads a material's uniforms only where another was drawn before.
+  (material as ShaderMaterial).uniformsNeedUpdate = true;
+}
 
 /**
  * A mesh that reads everything live from `mesh` (geometry, world matrix, skeleton, morph influences…) but has its own
@@ -15,6 +35,8 @@ const nothing = () => {};
 export function createObjectProxy(mesh: Mesh): ObjectProxy {
   const own = <T>(value: T) => ({ value, writable: true, enumerable: true, configurable: true });
   return Object.create(mesh, {
+    source: own(mesh),
+    drawNumber: own(0),
     parent: own(null),
     children: own([]),
     visible: own(true),
@@ -28,7 +50,7 @@ export function createObjectProxy(mesh: Mesh): ObjectProxy {
     castShadow: own(false),
     receiveShadow: own(false),
     // The user's hooks set up their own materials; ours need none of it.
-    onBeforeRender: own(nothing),
+    onBeforeRender: own(announce),
     onAfterRender: own(nothing),
     _listeners: own(undefined),
   }) as ObjectProxy;

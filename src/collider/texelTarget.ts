@@ -16,14 +16,19 @@ const TYPES: Record<TexelFormat, TextureDataType> = {
   RGBA8: UnsignedByteType,
 };
 
-/** A target of plain texels: nearest, no mipmaps, no antialiasing. */
+/**
+ * A target of plain texels: nearest, no mipmaps, no antialiasing.
+ *
+ * @param ids whether it has a second texture beside, RGBA8, for objects' and instances' numbers
+ */
 export function createTexelTarget(
   width: number,
   height: number,
   format: TexelFormat,
   depthBuffer: boolean,
+  ids = false,
 ): WebGLRenderTarget {
-  return new WebGLRenderTarget(width, height, {
+  const target = new WebGLRenderTarget(width, height, {
     type: TYPES[format],
     format: RGBAFormat,
     minFilter: NearestFilter,
@@ -32,7 +37,10 @@ export function createTexelTarget(
     depthBuffer,
     stencilBuffer: false,
     samples: 0,
+    count: ids ? 2 : 1,
   });
+  if (ids) target.textures[1]!.type = UnsignedByteType;
+  return target;
 }
 
 const ZERO = new Float32Array(4);
@@ -46,7 +54,7 @@ export function clearTexels(renderer: WebGLRenderer, target: WebGLRenderTarget):
   color.setMask(true);
   depth.setMask(true);
   depthValue[0] = depth.getReversed() ? 0 : 1;
-  gl.clearBufferfv(gl.COLOR, 0, ZERO);
+  for (let i = 0; i < target.textures.length; i++) gl.clearBufferfv(gl.COLOR, i, ZERO);
   gl.clearBufferfv(gl.DEPTH, 0, depthValue);
 }
 

@@ -1,21 +1,31 @@
 import { FACES } from './faces.js';
 import { atlasIndex, texelIndex } from './atlas.js';
+import { finerDirection, PLACE_BITS, PLACES } from './finerTexel.js';
+import { texelDirection } from './texelDirections.js';
 import type { SurfaceField } from '../field/SurfaceField.js';
 
 /**
  * How a surface texel is stored, best first.
  *
- * | format  | distance        | normal (octahedral) | back face               | a miss  |
- * | ------- | --------------- | ------------------- | ----------------------- | ------- |
- * | RGBA32F | 32-bit float    | 12 + 12 bits        | sign of B               | R = 0   |
- * | RGBA16F | 22 bits of far  | 11 + 11 bits        | sign of R               | R = 0   |
- * | RGBA8   | 15 bits of far  | 8 + 8 bits          | highest bit of R        | R,G = 0 |
+ * | format  | distance        | normal (octahedral) | back face        | object          | instance      | a miss  |
+ * | ------- | --------------- | ------------------- | ---------------- | --------------- | ------------- | ------- |
+ * | RGBA32F | 32-bit float    | 12 + 12 bits        | sign of B        | abs(B) - 1, 16  | A, 24 bits    | R = 0   |
+ * | RGBA16F | 22 bits of far  | 11 + 11 bits        | sign of R        | beside, 12 bits | beside, 20    | R = 0   |
+ * | RGBA8   | 15 bits of far  | 8 + 8 bits          | highest bit of R | beside, 12 bits | beside, 20    | R,G = 0 |
  *
- * Every grid of the normal has a middle, so the six axes (floors, walls) come back exact.
+ * "Beside" is a second texture, RGBA8 (`encodeIdsGLSL`): objects past the 4095th are not told apart there (they read as
+ * 0, unknown), and instances past the 1,048,575th count as it. Drawn finer (`supersample`), a texel also holds its place
+ * in the block it was the nearest of: see `keepPlaceGLSL`. Every grid of the normal has a middle, so the six axes
+ * (floors, walls) come back exact.
  */
 export type TexelFormat = 'RGBA32F' | 'RGBA16F' | 'RGBA8';
 
 export const TEXEL_FORMATS: readonly TexelFormat[] = ['RGBA32F', 'RGBA16F', 'RGBA8'];
+
+/** Whether objects' and instances' numbers need a texture of their own. */
+export function hasIdTexture(format: TexelFormat): boolean {
+  return format !== 'RGBA32F';
+}
 
 /** Steps of one octahedral coordinate, always even so that 0 is one of them. */
 const NORMAL_STEPS = { RGBA32F: 4094, RGBA16F: 2046, RGBA8: 254 } as const;
@@ -24,6 +34,11 @@ const BYTE_STEPS = 32766;
 /** RGBA16F writes the distance as two integers below this; a half float holds them exactly. */
 const HALF_DIGIT = 2048;
 const HALF_STEPS = HALF_DIGIT * HALF_DIGIT - 1;
+/** Largest number of an object: in a field, and in a texture of ids. */
+const MAX_OBJECT = 0xffff;
+const MAX_OBJECT_BESIDE = 0xfff;
+/** Largest number of an instance in a texture of ids. */
+const MAX_INSTANCE_BESIDE = 0xfffff;
 
 const OCTAHEDRAL_GLSL = /* glsl */ `
 vec2 octahedral( vec3 n ) {
@@ -33,15 +48,16 @@ vec2 octahedral( vec3 n ) {
 }`;
 
 /**
- * GLSL `vec4 encodeSurface( float distance, vec3 normal, bool front, float far )`: the texel for a surface at 0 <
- * `distance` <= `far` with a unit `normal` in world axes.
+ * GLSL `vec4 encodeSurface( float distance, vec3 normal, bool front, float far, float object, float instance )`: the
+ * texel for a surface at 0 < `distance` <= `far` with a unit `normal` in world axes. Formats with a texture for ids pass
+ * over `object` and `instance`.
  */
 export function encodeSurfaceGLSL(format: TexelFormat): string {
   const steps = NORMAL_STEPS[format].toFixed(1);
   const body = {
     RGBA32F: /* glsl */ `
   vec2 o = floor( ( octahedral( normal ) * 0.5 + 0.5 ) * ${steps} + 0.5 );
-  return vec4( distance, o.x * 4096.0 + o.y, front ? 1.0 : -1.0, 1.0 );`,
+  return vec4( distance, o.x * 4096.0 + o.y, ( front ? 1.0 : -1.0 ) * ( 1.0 + object ), instance );`,
     RGBA16F: /* glsl */ `
   vec2 o = floor( octahedral( normal ) * ${steps} * 0.5 + 0.5 );
   float code = floor( min( distance / far, 1.0 ) * ${HALF_STEPS.toFixed(1)} + 0.5 );
@@ -54,9 +70,20 @@ export function encodeSurfaceGLSL(format: TexelFormat): string {
   return vec4( high + ( front ? 0.0 : 128.0 ), code - high * 256.0, o ) / 255.0;`,
   }[format];
   return `${OCTAHEDRAL_GLSL}
-vec4 encodeSurface( float distance, vec3 normal, bool front, float far ) {${body}
+vec4 encodeSurface( float distance, vec3 normal, bool front, float far, float object, float instance ) {${body}
 }`;
 }
+
+/** GLSL `vec4 encodeIds( float object, float instance )`: 12 and 20 bits, as four bytes, highest first. */
+export const encodeIdsGLSL = /* glsl */ `
+vec4 encodeIds( float object, float instance ) {
+  float known = object > ${MAX_OBJECT_BESIDE.toFixed(1)} ? 0.0 : object;
+  float place = min( instance, ${MAX_INSTANCE_BESIDE.toFixed(1)} );
+  vec2 high = floor( vec2( known / 16.0, place / 65536.0 ) );
+  float low = place - 65536.0 * high.y;
+  float middle = floor( low / 256.0 );
+  return vec4( high.x, ( known - 16.0 * high.x ) * 16.0 + high.y, middle, low - 256.0 * middle ) / 255.0;
+}`;
 
 /** GLSL `float decodeDistance( vec4 texel, float far )`: metres, 0 for a miss. For pictures; fields decode on the CPU. */
 export function decodeDistanceGLSL(format: TexelFormat): string {
@@ -75,17 +102,22 @@ export function decodeDistanceGLSL(format: TexelFormat): string {
 }
 
 /**
- * Decodes an atlas, read bottom row first, into `field` (its centre, time and serial are the caller's to set).
- * Allocates nothing.
+ * Decodes an atlas, read bottom row first, into `field`: its texels. What the draw was (centre, time, serial, reach,
+ * objects) is the caller's to set, the reach before. Allocates nothing.
  *
  * @param data 4 numbers a texel: floats for the float formats, bytes for RGBA8
+ * @param ids 4 bytes a texel, of formats with a texture for them; without it whose a texel was is not known
+ * @param supersample above 1 each texel holds the place of a finer one, and the field's directions are written too: they
+ *   must be its own
  */
 export function decodeSurface(
   format: TexelFormat,
   data: Float32Array | Uint8Array,
   field: SurfaceField,
+  ids: Uint8Array | null = null,
+  supersample = 1,
 ): void {
-  const { resolution, far, distance, normal, front } = field;
+  const { resolution, far, direction, distance, normal, front, object, instance } = field;
   const steps = NORMAL_STEPS[format];
   for (let face = 0; face < FACES.length; face++) {
     for (let y = 0; y < resolution; y++) {
@@ -96,13 +128,24 @@ export function decodeSurface(
         let ox: number;
         let oy: number;
         let isFront: boolean;
+        let seen = 0;
+        let which = 0;
+        let place = 0;
         if (format === 'RGBA32F') {
           d = data[from]!;
           const packed = data[from + 1]!;
           const high = Math.floor(packed / 4096);
           ox = (2 * high) / steps - 1;
           oy = (2 * (packed - 4096 * high)) / steps - 1;
-          isFront = data[from + 2]! > 0;
+          const side = data[from + 2]!;
+          isFront = side > 0;
+          seen = Math.abs(side);
+          if (supersample > 1) {
+            place = seen & (PLACES - 1);
+            seen = seen >> PLACE_BITS;
+          }
+          seen -= 1;
+          which = data[from + 3]!;
         } else if (format === 'RGBA16F') {
           const high = data[from]!;
           isFront = high > 0;
@@ -122,12 +165,25 @@ export function decodeSurface(
         }
         if (!(d > 0)) {
           distance[to] = Infinity;
-          front[to] = 0;
+          front[to] = object[to] = instance[to] = 0;
           normal[3 * to] = normal[3 * to + 1] = normal[3 * to + 2] = 0;
+          if (supersample > 1) texelDirection(face, x, y, resolution, direction, 3 * to);
           continue;
         }
         distance[to] = d;
         front[to] = isFront ? 1 : 0;
+        if (ids !== null) {
+          const middle = ids[from + 1]!;
+          seen = 16 * ids[from]! + (middle >> 4);
+          const low = middle & 15;
+          if (supersample > 1) place = low;
+          which = (supersample > 1 ? 0 : 65536 * low) + 256 * ids[from + 2]! + ids[from + 3]!;
+        }
+        object[to] = seen <= MAX_OBJECT ? seen : 0;
+        instance[to] = which;
+        if (supersample > 1) {
+          finerDirection(face, x, y, place, resolution, supersample, direction, 3 * to);
+        }
         const nz = 1 - Math.abs(ox) - Math.abs(oy);
         const fold = nz < 0 ? -nz : 0;
         const nx = ox + (ox >= 0 ? -fold : fold);

@@ -17,7 +17,7 @@ import type { SurfaceField } from './SurfaceField.js';
  * @returns `target`, its `center` the field's
  */
 export function axisMaxima(field: SurfaceField, target: AxisMaxima): AxisMaxima {
-  const { resolution: n, distance } = field;
+  const { resolution: n, direction, distance } = field;
   const { rMin, rMax } = target;
   target.center.copy(field.center);
   for (let face = 0; face < 6; face++) {
@@ -38,6 +38,9 @@ export function axisMaxima(field: SurfaceField, target: AxisMaxima): AxisMaxima 
       }
     }
     target.set(face, best, bestX, bestY, n);
+    // Drawn finer, a texel's direction is its own.
+    const winner = 3 * texelIndex(face, bestX, bestY, n);
+    for (let i = 0; i < 3; i++) target.direction[3 * face + i] = direction[winner + i]!;
   }
   return target;
 }

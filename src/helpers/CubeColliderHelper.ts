@@ -21,7 +21,7 @@ import { unfoldFragmentShader, unfoldVertexShader } from './unfoldShader.js';
 /** What the helper reads of a collider. */
 export type ViewableCollider = Pick<
   CubeCollider,
-  'renderTarget' | 'output' | 'format' | 'resolution' | 'far' | 'rMin' | 'rMax' | 'maxima'
+  'renderTarget' | 'output' | 'format' | 'resolution' | 'stats' | 'rMin' | 'rMax' | 'maxima'
 >;
 
 export interface CubeColliderHelperOptions {
@@ -114,7 +114,7 @@ export class CubeColliderHelper {
     this.#prepare(renderer);
     const uniforms = this.#uniforms;
     uniforms.atlas.value = target.texture;
-    uniforms.far.value = collider.far;
+    uniforms.far.value = collider.stats.far;
     uniforms.resolution.value = collider.resolution;
     uniforms.winners.value.forEach((winner, face) => {
       const maxima = collider.output === 'axis' ? collider.maxima : null;
@@ -158,7 +158,7 @@ export class CubeColliderHelper {
 
   /** Makes shader and labels anew where the collider, the size or the screen is another. */
   #prepare(renderer: WebGLRenderer): void {
-    const { output, format, resolution, far, rMin, rMax } = this.collider;
+    const { output, format, resolution, stats, rMin, rMax } = this.collider;
     const uniforms = this.#uniforms;
     const programKey = `${output} ${format}`;
     if (programKey !== this.#programKey) {
@@ -167,7 +167,8 @@ export class CubeColliderHelper {
       this.#triangle.material.needsUpdate = true;
     }
     const pixelRatio = renderer.getPixelRatio();
-    const ends = output === 'axis' ? [rMin, rMax] : [0, far];
+    // The reach of what is in the atlas; a character may have asked for another since.
+    const ends = (output === 'axis' ? [rMin, rMax] : [0, stats.far]).map(metres);
     const labelKey = [output, resolution, ...ends, this.size, pixelRatio].join(' ');
     if (labelKey === this.#labelKey) return;
     this.#labelKey = labelKey;
@@ -181,8 +182,8 @@ export class CubeColliderHelper {
     drawLabels(canvas, layout, pixelRatio, {
       title: output === 'axis' ? 'Six maxima' : 'Surfaces',
       detail: `6 × ${resolution}² texels`,
-      near: metres(ends[0]!),
-      far: `${metres(ends[1]!)} m`,
+      near: ends[0]!,
+      far: `${ends[1]!} m`,
     });
     uniforms.labels.value?.dispose();
     const texture = new CanvasTexture(canvas);

@@ -12,6 +12,11 @@ const wrong: [CubeColliderOptions, RegExp][] = [
     { resolution },
     /"resolution" must be an integer from 4 to 256/,
   ]),
+  ...[0, 3, 8, NaN, '2' as never].map((supersample): [CubeColliderOptions, RegExp] => [
+    { supersample: supersample as never },
+    /"supersample" must be 1 or 2 or 4/,
+  ]),
+  [{ output: 'axis', supersample: 2 }, /"supersample" must be 1 in the paper's mode/],
   [{ output: 'axis', rMin: 0.5, rMax: 0.35 }, /"rMax" must be greater than "rMin"/],
   [{ output: 'axis', rMax: -1 }, /"rMax" must be a number greater than 0 \(got -1\)/],
   [{ output: 'axis', near: 0.2 }, /"near" must be at most "rMin"\/√3/],
@@ -43,10 +48,11 @@ describe('CubeCollider’s options', () => {
 
   it('should fill in the defaults', () => {
     const collider = new CubeCollider();
-    const { output, resolution, far, readback, sides, nearRatio } = DEFAULTS.collider;
+    const { output, resolution, supersample, far, readback, sides, nearRatio } = DEFAULTS.collider;
     expect(collider).toMatchObject({
       output,
       resolution,
+      supersample,
       far,
       readback,
       sides,

@@ -15,7 +15,8 @@ import {
 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { seeded } from '../../e2e/support/axisScenes.js';
-import { Selection, type SelectionRules } from '../../src/collider/Selection.js';
+import type { SelectionRules } from '../../src/collider/SceneWalk.js';
+import { Selection } from '../../src/collider/Selection.js';
 import { FACES } from '../../src/cube/faces.js';
 
 const geometry = new BoxGeometry();

@@ -8,13 +8,17 @@ import {
   MeshBasicMaterial,
   type Object3D,
   Scene,
+  ShaderMaterial,
   Vector3,
 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
-import { Selection, type SelectionRules } from '../../src/collider/Selection.js';
+import type { SelectionRules } from '../../src/collider/SceneWalk.js';
+import { Selection } from '../../src/collider/Selection.js';
 
 const geometry = new BoxGeometry();
 const worn = new MeshBasicMaterial();
+
+type HookArguments = Parameters<Object3D['onBeforeRender']>;
 
 function select(object: Object3D, filter: SelectionRules['filter'] = null) {
   const selection = new Selection();
@@ -55,8 +59,9 @@ describe('what is selected', () => {
     mesh.onBeforeRender = vi.fn();
     mesh.onAfterRender = vi.fn();
     const proxy = select(mesh)[0]!;
-    for (const hook of [proxy.onBeforeRender, proxy.onAfterRender]) {
-      (hook as () => void)();
+    const material = new ShaderMaterial();
+    for (const hook of ['onBeforeRender', 'onAfterRender'] as const) {
+      proxy[hook](...([null, null, null, geometry, material, null] as unknown as HookArguments));
     }
     expect(mesh.onBeforeRender).not.toHaveBeenCalled();
     expect(mesh.onAfterRender).not.toHaveBeenCalled();

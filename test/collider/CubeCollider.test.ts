@@ -1,0 +1,64 @@
+import { Scene } from 'three';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { CubeCollider } from 'three-cube-collider';
+import { box } from '../support/meshes.js';
+
+describe('a collider’s survey', () => {
+  afterEach(() => vi.restoreAllMocks());
+
+  it('should call everything changed while there is no draw, and list the sensors', () => {
+    const collider = new CubeCollider();
+    const coin = box();
+    coin.userData.sensor = true;
+    coin.position.x = 5;
+    const scene = new Scene().add(coin);
+    const report = collider.survey(scene);
+    expect(report).toEqual({ moved: false, changed: true, deforms: false, sensors: [] });
+    collider.position.x = 5;
+    expect(collider.survey(scene)).toBe(report);
+    expect(report.sensors).toEqual([coin]);
+    collider.invalidate();
+    expect(collider.survey(scene).changed).toBe(true);
+  });
+
+  it('should warn once of what cannot be surveyed, and never throw', () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+    const collider = new CubeCollider();
+    const nothing = { moved: false, changed: false, deforms: false, sensors: [] };
+    const broken = new Scene().add(box());
+    broken.children[0]!.matrixWorld = null as never;
+    for (let i = 0; i < 3; i++) {
+      expect(collider.survey(undefined as never)).toEqual(nothing);
+      expect(collider.survey({} as never)).toEqual(nothing);
+      expect(collider.survey(broken)).toEqual(nothing);
+    }
+    expect(warn).toHaveBeenCalledTimes(2);
+    collider.dispose();
+    expect(collider.survey(new Scene())).toEqual(nothing);
+    expect(collider.survey(new Scene())).toEqual(nothing);
+    expect(warn).toHaveBeenCalledTimes(3);
+    for (const [message] of warn.mock.calls) expect(message).toMatch(/^CubeCollider: /);
+  });
+});
+
+describe('the reach', () => {
+  it('should be settable at any time, and checked as the option is', () => {
+    const collider = new CubeCollider({ near: 0.1 });
+    expect(collider.autoFar).toBe(true);
+    collider.far = 2.5;
+    expect(collider.far).toBe(2.5);
+    expect(collider.near).toBe(0.1);
+    for (const far of [0.1, 0.05, 0, -1, NaN, Infinity, '3' as never]) {
+      expect(() => (collider.far = far)).toThrow(RangeError);
+      expect(() => (collider.far = far)).toThrow(/^CubeCollider: "far" must be/);
+    }
+    expect(collider.far).toBe(2.5);
+  });
+
+  it('should be a character’s to set only where the user did not, for surfaces', () => {
+    expect(new CubeCollider({ far: 1.8 }).autoFar).toBe(false);
+    const axis = new CubeCollider({ output: 'axis' });
+    expect(axis.autoFar).toBe(false);
+    expect(() => (axis.far = axis.rMax / 2)).toThrow(/"far" must be at least "rMax"/);
+  });
+});
