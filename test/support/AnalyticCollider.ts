@@ -1,6 +1,6 @@
 import { AXES } from '../../e2e/support/axisModel.js';
 import { Vector3, type Object3D } from 'three';
-import type { CharacterCollider } from '../../src/character/CharacterCollider.js';
+import type { CharacterCollider, Survey } from '../../src/character/CharacterCollider.js';
 import { AxisMaxima } from '../../src/cube/AxisMaxima.js';
 import { texelDirections } from '../../src/cube/texelDirections.js';
 import { SurfaceField } from '../../src/field/SurfaceField.js';
@@ -26,6 +26,9 @@ export interface AnalyticOptions {
 export class AnalyticCollider implements CharacterCollider {
   readonly position = new Vector3();
   readonly readback: 'sync' | 'async';
+  readonly output: 'axis' | 'surface';
+  /** Fixed: the paper's loop sets no reach. */
+  readonly autoFar = false;
   readonly excluded: Object3D[] = [];
   maxima: AxisMaxima | null = null;
   field: SurfaceField | null = null;
@@ -33,6 +36,7 @@ export class AnalyticCollider implements CharacterCollider {
   /** Makes `update` do nothing, as a lost context does. */
   lost = false;
   readonly options: Required<AnalyticOptions>;
+  readonly #survey = { moved: false, changed: true, deforms: false, sensors: [] };
   readonly #directions: Float32Array;
   readonly #pending: { maxima: AxisMaxima | null; field: SurfaceField | null; due: number }[] = [];
 
@@ -50,12 +54,13 @@ export class AnalyticCollider implements CharacterCollider {
     }: AnalyticOptions = {},
   ) {
     this.readback = readback;
+    this.output = output;
     this.#directions = texelDirections(resolution);
     this.options = { output, readback, latency, resolution, rMin, rMax, far, quantised };
   }
 
-  update(): void {
-    if (this.lost) return;
+  update(): boolean {
+    if (this.lost) return false;
     this.draws++;
     const axis = this.options.output === 'axis';
     const maxima = axis ? this.#maxima() : null;
@@ -67,6 +72,21 @@ export class AnalyticCollider implements CharacterCollider {
       this.maxima = arrived.maxima;
       this.field = arrived.field;
     }
+    return true;
+  }
+
+  get far(): number {
+    return this.options.far;
+  }
+
+  set far(far: number) {
+    this.options.far = far;
+  }
+
+  /** Nothing here ever changes, but what is not drawn yet. */
+  survey(): Readonly<Survey> {
+    this.#survey.changed = this.draws === 0;
+    return this.#survey;
   }
 
   invalidate(): void {

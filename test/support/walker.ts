@@ -1,13 +1,14 @@
 import { Vector3 } from 'three';
 import { CharacterController } from '../../src/character/CharacterController.js';
 import type { CharacterOptions } from '../../src/character/characterOptions.js';
+import { AxisResponse } from '../../src/response/AxisResponse.js';
 import { AnalyticCollider, type AnalyticOptions } from './AnalyticCollider.js';
 import type { Shape } from './analytic.js';
 
 const RENDERER = {};
 const SCENE = {};
 
-/** A character in an analytic scene, driven frame by frame as an app would. */
+/** A character by the paper's response in an analytic scene, driven frame by frame as an app would. */
 export class Walker {
   readonly collider: AnalyticCollider;
   readonly character: CharacterController;
@@ -20,7 +21,10 @@ export class Walker {
     options: CharacterOptions = {},
   ) {
     this.collider = new AnalyticCollider(shape, collider);
-    this.character = new CharacterController(this.collider, options);
+    this.character = new CharacterController(this.collider, {
+      response: new AxisResponse(),
+      ...options,
+    });
     this.character.teleport(new Vector3(...foot));
   }
 

@@ -1,0 +1,209 @@
+import type { Capsule } from './Capsule.js';
+import { ContactSet } from './ContactSet.js';
+import type { FieldMemory, NearSurfels } from './FieldMemory.js';
+import { axis, nearest, surfelDistance } from './surfelDistance.js';
+import { SIDES } from './neighbours.js';
+import { STRIDE, type Surfels } from './Surfels.js';
+
+/** Normals closer than this (1.8°) count as one. */
+const SAME_NORMAL = 0.9995;
+/** Contacts of one normal whose gaps differ by less than this lie in one surface, metres. */
+const SAME_GAP = 0.002;
+/** A neighbour is nearer if it is so by more than this, metres: rounding must not drop both. */
+const NEARER = 1e-4;
+
+/** Nearest points found in the first pass: x, y, z and whether on the border each. */
+let found = new Float64Array(4 * 512);
+let foundSurfel = new Int32Array(512);
+/** Surfels whose distance was only estimated, from below: it is kept as a negative number. */
+let skipped = new Int32Array(512);
+/** How far beside a plane's surfel, in its extents, its nearest point must lie to be some neighbour's for sure. */
+const ASIDE = 1.5;
+
+/**
+ * The contacts of a capsule with whatever lies within `reach` of it.
+ *
+ * Only places where the surface is nearest among what is around them count: of a flat floor the one under the foot,
+ * however many surfels it is made of. A surfel that is met at a side where the surface goes on leaves the word to its
+ * neighbour. Like normals are merged, the nearest stays. Allocates nothing in the steady state.
+ *
+ * @param reach metres
+ * @returns `target`
+ */
+export function findContacts(
+  memory: FieldMemory,
+  capsule: Capsule,
+  reach: number,
+  target: ContactSet,
+): ContactSet {
+  memory.gather(capsule, reach);
+  target.count = 0;
+  for (let k = 0; k < memory.kept.length; k++) {
+    findIn(memory.kept[k]!, k, capsule, reach, target);
+  }
+  return target;
+}
+
+function findIn(
+  { surfels, near, nearCount, distance }: NearSurfels,
+  kept: number,
+  capsule: Capsule,
+  reach: number,
+  target: ContactSet,
+): void {
+  const { data, extent, origin, whole } = surfels;
+  const x = capsule.x - origin.x;
+  const z = capsule.z - origin.z;
+  const low = capsule.y + capsule.radius - origin.y;
+  const high = Math.max(low, capsule.y + capsule.height - capsule.radius - origin.y);
+  const reached = capsule.radius + reach;
+  if (foundSurfel.length < nearCount) {
+    found = new Float64Array(4 * nearCount);
+    foundSurfel = new Int32Array(nearCount);
+    skipped = new Int32Array(nearCount);
+  }
+
+  axis[0] = x;
+  axis[1] = z;
+  axis[2] = low;
+  axis[3] = high;
+  let n = 0;
+  let skips = 0;
+  for (let a = 0; a < nearCount; a++) {
+    const i = near[a]!;
+    const o = STRIDE * i;
+    const dx = data[o]! - x;
+    const dz = data[o + 2]! - z;
+    const py = data[o + 1]!;
+    const dy = py < low ? low - py : py > high ? high - py : 0;
+    const within = reached + extent[i]!;
+    if (dx * dx + dy * dy + dz * dz >= within * within) continue;
+    // The plane is never farther than the surfel.
+    const level = -dx * data[o + 3]! - dz * data[o + 5]!;
+    const up = data[o + 4]!;
+    const atLow = level + up * (low - py);
+    const atHigh = level + up * (high - py);
+    if (Math.min(atLow, atHigh) >= reached || Math.max(atLow, atHigh) <= -reached) continue;
+    if (whole[i] === 1) {
+      // In the midst of a plane only the surfel under the nearest point of the axis counts.
+      const height = level + up * dy;
+      const aside = dx * dx + dy * dy + dz * dz - height * height;
+      const beyond = Math.sqrt(Math.max(0, aside)) - extent[i]!;
+      if (beyond > ASIDE * extent[i]!) {
+        distance[i] = -Math.sqrt(height * height + beyond * beyond);
+        skipped[skips++] = i;
+        continue;
+      }
+    }
+    surfelDistance(surfels, i);
+    const d = nearest[4]!;
+    if (d >= reached) continue;
+    distance[i] = d;
+    foundSurfel[n] = i;
+    found[4 * n] = nearest[0]!;
+    found[4 * n + 1] = nearest[1]!;
+    found[4 * n + 2] = nearest[2]!;
+    found[4 * n + 3] = nearest[5]!;
+    n++;
+  }
+
+  for (let a = 0; a < n; a++) {
+    const i = foundSurfel[a]!;
+    const onBorder = found[4 * a + 3] === 1;
+    const d = distance[i]!;
+    if (onBorder && goesOnNearer(surfels, distance, i)) continue;
+    const px = found[4 * a]!;
+    const py = found[4 * a + 1]!;
+    const pz = found[4 * a + 2]!;
+    const o = STRIDE * i;
+    const up = data[o + 4]!;
+    let nx = x - px;
+    let ny = (py < low ? low : py > high ? high : py) - py;
+    let nz = z - pz;
+    if (d > 1e-4) {
+      nx /= d;
+      ny /= d;
+      nz /= d;
+    } else {
+      // The axis itself touches it: the side it was seen from is the best guess.
+      nx = data[o + 3]!;
+      ny = up;
+      nz = data[o + 5]!;
+    }
+    one[0] = px + origin.x;
+    one[1] = py + origin.y;
+    one[2] = pz + origin.z;
+    one[3] = nx;
+    one[4] = ny;
+    one[5] = nz;
+    one[6] = d - capsule.radius;
+    one[7] = up;
+    add(target, kept, i);
+  }
+  for (let a = 0; a < n; a++) distance[foundSurfel[a]!] = Infinity;
+  for (let a = 0; a < skips; a++) distance[skipped[a]!] = Infinity;
+}
+
+/** Does the surface come nearer to the body in a neighbour of surfel `i` that goes on where it ends? */
+function goesOnNearer(surfels: Surfels, distance: Float32Array, i: number): boolean {
+  const { link, moved, object } = surfels;
+  const d = distance[i]! - NEARER;
+  for (let side = 0; side < SIDES; side++) {
+    const j = link[SIDES * i + side]!;
+    if (j < 0) continue;
+    if (distance[j]! < 0 && -distance[j]! < d) {
+      // Only estimated, from below.
+      surfelDistance(surfels, j);
+      distance[j] = nearest[4]!;
+    }
+    if (!(Math.abs(distance[j]!) < d)) continue;
+    // Moved apart, they are neighbours no more.
+    const a = object[i]!;
+    const b = object[j]!;
+    if (a === b || (moved[a] === 0 && moved[b] === 0)) return true;
+  }
+  return false;
+}
+
+/** A contact to be added: point, normal (3 each), gap, upward part of the surface's own normal. */
+const one = /* @__PURE__ */ new Float64Array(8);
+
+function add(target: ContactSet, kept: number, surfel: number): void {
+  const { normal, point } = target;
+  const nx = one[3]!;
+  const ny = one[4]!;
+  const nz = one[5]!;
+  const gap = one[6]!;
+  let up = one[7]!;
+  let slot = -1;
+  for (let c = 0; c < target.count; c++) {
+    const alike = nx * normal[3 * c]! + ny * normal[3 * c + 1]! + nz * normal[3 * c + 2]!;
+    if (alike < SAME_NORMAL) continue;
+    const other = target.gap[c]!;
+    if (Math.abs(gap - other) < SAME_GAP) {
+      up = Math.max(up, target.surfaceUp[c]!);
+      target.surfaceUp[c] = up;
+    }
+    if (gap >= other) return;
+    slot = c;
+    break;
+  }
+  if (slot < 0) {
+    if (target.count < ContactSet.CAPACITY) {
+      slot = target.count++;
+    } else {
+      // Full: the farthest gives way.
+      slot = 0;
+      for (let c = 1; c < target.count; c++) if (target.gap[c]! > target.gap[slot]!) slot = c;
+      if (target.gap[slot]! <= gap) return;
+    }
+  }
+  for (let v = 0; v < 3; v++) {
+    point[3 * slot + v] = one[v]!;
+    normal[3 * slot + v] = one[3 + v]!;
+  }
+  target.gap[slot] = gap;
+  target.surfaceUp[slot] = up;
+  target.kept[slot] = kept;
+  target.surfel[slot] = surfel;
+}

@@ -1,0 +1,230 @@
+import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
+import { describe, expect, it } from 'vitest';
+import { STRIDE, Surfels } from '../../src/field/Surfels.js';
+import { cornersOf, dice, drawn, unionDistance, UPRIGHT } from '../support/fields.js';
+import { Ball, Box, ground, Plane, room } from '../support/world/scenes.js';
+import { World } from '../support/world/World.js';
+
+const MILLIMETRE = 1e-3;
+
+function surfelsOf(world: World, center: Vector3, options = {}, toBody = UPRIGHT): Surfels {
+  const field = drawn(world, center, options);
+  return new Surfels(field.resolution).fill(field, toBody);
+}
+
+function everyCorner(surfels: Surfels, object = 0): Vector3[] {
+  const corners: Vector3[] = [];
+  for (let i = 0; i < surfels.count; i++) {
+    if (object === 0 || surfels.object[i] === object) corners.push(...cornersOf(surfels, i));
+  }
+  return corners;
+}
+
+describe('Surfels of a plane', () => {
+  it.each([
+    ['a floor', 0, 0],
+    ['a slope', 0.5, 0.3],
+    ['a wall', Math.PI / 2, 0.7],
+  ])('should tile %s without gap (seed 21)', (_, pitch, yaw) => {
+    const between = dice(21);
+    const plane = new Plane().turn({ pitch, yaw });
+    const world = new World(plane);
+    const normal = new Vector3(0, 1, 0).applyEuler(plane.object.rotation);
+    for (const resolution of [16, 32]) {
+      const center = normal
+        .clone()
+        .multiplyScalar(0.9)
+        .add(new Vector3(0.03, 0.01, -0.02));
+      const surfels = surfelsOf(world, center, { resolution });
+      for (let i = 0; i < 150; i++) {
+        const point = new Vector3(between(-0.7, 0.7), 0, between(-0.7, 0.7))
+          .applyEuler(plane.object.rotation)
+          .add(center.clone().projectOnPlane(normal));
+        expect(unionDistance(surfels, point), point.toArray().join()).toBeLessThan(1e-4);
+      }
+    }
+  });
+
+  it('should lie in the plane and be whole in its midst', () => {
+    const surfels = surfelsOf(new World(ground()), new Vector3(0.03, 0.9, -0.02));
+    for (const { y } of everyCorner(surfels)) expect(Math.abs(y)).toBeLessThan(1e-5);
+    const below = surfels.ofTexel[3 * 32 * 32 + 16 * 32 + 16]!;
+    expect(surfels.whole[below]).toBe(1);
+  });
+});
+
+/** Do three faces of the box come within a texel or two of the surfel's point? */
+function nearVertex(box: Box, { data, origin }: Surfels, i: number): boolean {
+  const o = STRIDE * i;
+  const { x, y, z } = new Vector3(...data.subarray(o, o + 3)).add(origin).applyMatrix4(box.inverse);
+  const rest = [box.hx - Math.abs(x), box.hy - Math.abs(y), box.hz - Math.abs(z)];
+  return Math.max(...rest) < 0.1;
+}
+
+describe('Surfels of a box', () => {
+  it('should end at its edges, away from its vertices (seed 22)', () => {
+    const between = dice(22);
+    for (let run = 0; run < 60; run++) {
+      const [hx, hy, hz] = [between(0.1, 0.5), between(0.1, 0.5), between(0.1, 0.5)];
+      const box = new Box(hx, hy, hz).turn({ yaw: between(-3, 3) });
+      // Beside, above and before it: three faces are seen, none of them edge-on.
+      const center = new Vector3(
+        hx + between(0.3, 0.6),
+        hy + between(0.3, 0.6),
+        hz + between(0.3, 0.6),
+      ).applyEuler(box.object.rotation);
+      const surfels = surfelsOf(new World(box), center, { far: 3 });
+      const say = `run ${run}`;
+      for (let i = 0; i < surfels.count; i++) {
+        if (nearVertex(box, surfels, i)) continue;
+        for (const corner of cornersOf(surfels, i)) {
+          const { x, y, z } = corner.applyMatrix4(box.inverse);
+          expect(Math.max(x - hx, y - hy, z - hz), say).toBeLessThan(MILLIMETRE);
+        }
+      }
+    }
+  });
+
+  it('should reach edges of which both faces are seen (seed 23)', () => {
+    const between = dice(23);
+    for (let run = 0; run < 20; run++) {
+      const box = new Box(0.4, 0.4, 0.4).turn({ yaw: between(-3, 3) });
+      const center = new Vector3(0.8, 0.8, 0.8).applyEuler(box.object.rotation);
+      const surfels = surfelsOf(new World(box), center);
+      for (const axis of ['x', 'y', 'z'] as const) {
+        for (let i = 0; i < 10; i++) {
+          const point = new Vector3(0.4, 0.4, 0.4);
+          point[axis] = between(-0.1, 0.395);
+          point.applyEuler(box.object.rotation);
+          expect(unionDistance(surfels, point), `run ${run} ${axis}`).toBeLessThan(MILLIMETRE);
+        }
+      }
+    }
+  });
+
+  it('should grow past the silhouette of what is stood on by 15 mm at most', () => {
+    // From above, its sides are not seen.
+    const world = new World(new Box(0.3, 0.3, 0.3).at(0, -1, 0));
+    let most = 0;
+    for (const { x, z } of everyCorner(surfelsOf(world, new Vector3()))) {
+      most = Math.max(most, Math.abs(x) - 0.3, Math.abs(z) - 0.3);
+    }
+    expect(most).toBeLessThan(0.015 + 1e-5);
+  });
+
+  it('should never grow past a silhouette where it cannot be stood on', () => {
+    // Turned on its side, what was a tread is a wall.
+    const box = new Box(0.3, 0.3, 0.3).at(0, -1, 0);
+    const quarter = new Quaternion().setFromEuler(new Euler(Math.PI / 2, 0, 0));
+    const surfels = surfelsOf(new World(box), new Vector3(), {}, quarter);
+    const back = quarter.clone().conjugate();
+    expect(surfels.count).toBeGreaterThan(20);
+    for (const corner of everyCorner(surfels)) {
+      const { x, z } = corner.applyQuaternion(back);
+      expect(Math.max(Math.abs(x), Math.abs(z)) - 0.3).toBeLessThan(1e-5);
+    }
+  });
+});
+
+describe('Surfels of curved ground', () => {
+  it('should lie within 2 mm of a ball of radius 1 m, without gap (seed 24)', () => {
+    const between = dice(24);
+    const world = new World(new Ball(1));
+    const surfels = surfelsOf(world, new Vector3(0.02, 1.9, 0.01));
+    for (let i = 0; i < 300; i++) {
+      const slope = between(0, 0.5);
+      const yaw = between(-Math.PI, Math.PI);
+      const point = new Vector3().setFromSphericalCoords(1, slope, yaw);
+      expect(unionDistance(surfels, point), `slope ${slope}`).toBeLessThan(2 * MILLIMETRE);
+    }
+    for (const corner of everyCorner(surfels)) {
+      if (corner.y < Math.cos(0.5) * corner.length()) continue;
+      expect(Math.abs(corner.length() - 1)).toBeLessThan(2 * MILLIMETRE);
+    }
+  });
+});
+
+describe('carry', () => {
+  const scene = () => {
+    const box = new Box(0.3, 0.2, 0.4).at(0.7, 0.2, 0.1).turn({ yaw: 0.4 });
+    const world = new World(ground(), box);
+    return { box, world };
+  };
+  const frames: [string, Quaternion][] = [
+    ['upright', UPRIGHT],
+    ['under another up', new Quaternion().setFromEuler(new Euler(0.9, -0.4, 1.8))],
+  ];
+
+  it.each(frames)('should move what belongs to the object, and nothing else, %s', (_, toBody) => {
+    const { box, world } = scene();
+    const surfels = surfelsOf(world, new Vector3(0, 1, 0), {}, toBody);
+    const id = surfels.objects.indexOf(box.object) + 1;
+    const before = everyCorner(surfels, id);
+    const floor = everyCorner(surfels, surfels.objects.indexOf(world.solids[0]!.object) + 1);
+    expect(before.length).toBeGreaterThan(100);
+    const was = box.object.matrixWorld.clone();
+    // Twice: it starts from where it was drawn, not from where it was last.
+    for (const turn of [0.3, 1.1]) {
+      box.object.position.set(0.5 + turn, 0.4, -0.2);
+      box.object.rotation.set(turn, 0.2, -turn);
+      world.refresh();
+      expect(surfels.carry(id, toBody)).toBe(true);
+    }
+    const since = was.invert().premultiply(box.object.matrixWorld);
+    const back = toBody.clone().conjugate();
+    const after = everyCorner(surfels, id);
+    for (let i = 0; i < before.length; i++) {
+      const expected = before[i]!.applyQuaternion(back).applyMatrix4(since);
+      expect(after[i]!.applyQuaternion(back).distanceTo(expected)).toBeLessThan(1e-5);
+    }
+    const place = surfels.objects.indexOf(world.solids[0]!.object) + 1;
+    for (const [i, corner] of everyCorner(surfels, place).entries()) {
+      expect(corner.equals(floor[i]!)).toBe(true);
+    }
+    expect(surfels.moved[id]).toBe(1);
+    expect(surfels.moved[place]).toBe(0);
+  });
+
+  it('should move surfels about their object far from the origin to a tenth of a millimetre', () => {
+    const { box, world } = scene();
+    world.root.position.set(5000, 100, -3000);
+    const surfels = surfelsOf(world, new Vector3(5000, 101, -3000));
+    const id = surfels.objects.indexOf(box.object) + 1;
+    const ofBox = () => everyCorner(surfels, id).map((corner) => corner.applyMatrix4(box.inverse));
+    const before = ofBox();
+    box.object.rotation.y += 0.5;
+    box.object.position.y += 0.3;
+    world.refresh();
+    expect(surfels.carry(id, UPRIGHT)).toBe(true);
+    const after = ofBox();
+    expect(before.length).toBeGreaterThan(100);
+    for (let i = 0; i < before.length; i++) {
+      expect(after[i]!.distanceTo(before[i]!)).toBeLessThan(1e-4);
+    }
+  });
+
+  it('should say that the surfels of a scaled object no longer hold', () => {
+    const { box, world } = scene();
+    const surfels = surfelsOf(world, new Vector3(0, 1, 0));
+    const id = surfels.objects.indexOf(box.object) + 1;
+    const scaled = new Matrix4().makeScale(1, 1.1, 1).multiply(box.object.matrixWorld);
+    expect(surfels.carry(id, UPRIGHT, scaled)).toBe(false);
+    expect(surfels.carry(id, UPRIGHT, box.object.matrixWorld)).toBe(true);
+  });
+});
+
+describe('Surfels under another up', () => {
+  it('should be the same, turned', () => {
+    const world = new World(room(0.8, 0.7, 0.9));
+    const center = new Vector3(0.1, -0.1, 0.05);
+    const toBody = new Quaternion().setFromEuler(new Euler(0.9, -0.4, 1.8));
+    const upright = surfelsOf(world, center);
+    const turned = surfelsOf(world, center, {}, toBody);
+    expect(turned.count).toBe(upright.count);
+    expect(turned.link).toEqual(upright.link);
+    const corners = everyCorner(turned);
+    for (const [i, corner] of everyCorner(upright).entries()) {
+      expect(corners[i]!.distanceTo(corner.applyQuaternion(toBody))).toBeLessThan(1e-5);
+    }
+  });
+});
