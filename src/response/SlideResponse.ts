@@ -1,0 +1,436 @@
+import type { Capsule } from '../field/Capsule.js';
+import { ContactSet } from '../field/ContactSet.js';
+import type { FieldMemory } from '../field/FieldMemory.js';
+import { findContacts } from '../field/findContacts.js';
+import { hasTread } from '../field/hasTread.js';
+import { timeOfImpact } from '../field/timeOfImpact.js';
+import { Planes, type Solution, solvePlanes } from './solvePlanes.js';
+
+/** What a body may climb and how near it comes. Lengths in metres, angles as cosines. */
+export interface SlideLimits {
+  /** Gap kept to every surface. */
+  skin: number;
+  /** Cosine of the steepest slope that carries. */
+  slope: number;
+  /** Highest step that is climbed. */
+  stepHeight: number;
+}
+
+/** Longest way made on one look, as a part of the radius: planes stand for what is round only near by. */
+const STRIDE_RATIO = 0.25;
+/** Looks a call at most; what is left of the way then is dropped. */
+const MOST_LOOKS = 40;
+/** A way shorter than this is none, metres. */
+const NOTHING = 1e-6;
+/** What is touched, and what a support is taken for, beyond the skin, metres. */
+const TOUCH = 0.005;
+/** A gap this little short of the skin is the skin, metres. */
+const CLOSE = 1e-4;
+/** A way along a wall shorter than this part of the wish is not made: pressing on, one stands. */
+const LEAST_SLIDE = 0.06;
+/** Radius of what feels for ground below an edge, as a part of the body's: texels hidden behind the edge leave gaps. */
+const FEELER_RATIO = 0.4;
+/** Parts of the axis that must be known-free: no farther apart than this, metres. */
+const AXIS_STEP = 0.3;
+/** A place is known-free if it is nearer than what was seen by this part of the radius. */
+const FREE_RATIO = 0.25;
+/** Halvings in search of the border of the known. */
+const HALVINGS = 6;
+/** How much steeper than the limit a surface's own normal may be, as a cosine: rounding of 8-bit normals. */
+const SURFACE_SLACK = 0.006;
+/** How far above `stepHeight` an edge may be found, metres: what a field of points rounds. */
+const STEP_SLACK = 0.004;
+
+/**
+ * Moves a capsule among surfels: contacts ahead become planes, the way is solved against them, made as far as nothing
+ * else is met, and what overlaps is pushed out (the way of Jolt's `CharacterVirtual`; depth maps have no inner edges to
+ * trip on).
+ *
+ * Walking and flying differ. A walker's way is horizontal: what carries lifts it, everything else is a wall, however it
+ * leans, so that slopes change neither its speed nor its direction; what blocks it is stepped onto if it is low enough.
+ * A flyer's way is solved in all three dimensions.
+ *
+ * All in the body's frame, Y up, metres. Allocates nothing. It keeps what it found around its body: each character needs
+ * its own.
+ */
+export class SlideResponse {
+  readonly isSlideResponse = true;
+  /** Contacts around where the body ended, within the skin and a little more. */
+  readonly contacts = new ContactSet();
+  /** How far two opposing surfaces fell short of leaving room for the body and its skin, metres; 0 if all is well. */
+  slack = 0;
+  /** Whether the way was cut where no field has looked yet. */
+  waited = false;
+  /** Height climbed by steps in the last call, metres. */
+  climbed = 0;
+
+  readonly #ahead = new ContactSet();
+  readonly #planes = new Planes();
+  readonly #d: Solution = { x: 0, y: 0, z: 0 };
+  readonly #way: Solution = { x: 0, y: 0, z: 0 };
+  readonly #feeler: Capsule = { x: 0, y: 0, z: 0, radius: 0, height: 0 };
+  readonly #from = { x: 0, y: 0, z: 0 };
+
+  /** Does contact `i` of `set` carry: is it, and the surface it belongs to, no steeper than the limit? */
+  carries(set: ContactSet, i: number, limits: SlideLimits): boolean {
+    return (
+      set.normal[3 * i + 1]! >= limits.slope && set.surfaceUp[i]! >= limits.slope - SURFACE_SLACK
+    );
+  }
+
+  /** Fills `contacts` around the body, within the skin and `reach` more. */
+  look(memory: FieldMemory, body: Capsule, limits: SlideLimits, reach = TOUCH): ContactSet {
+    return findContacts(memory, body, limits.skin + reach, this.contacts);
+  }
+
+  /** Moves `body` through the air by x, y, z: slides along what it meets. */
+  fly(
+    memory: FieldMemory,
+    body: Capsule,
+    x: number,
+    y: number,
+    z: number,
+    limits: SlideLimits,
+  ): void {
+    this.#begin();
+    const longest = STRIDE_RATIO * body.radius;
+    for (let look = 0; look < MOST_LOOKS; look++) {
+      const length = Math.sqrt(x * x + y * y + z * z);
+      const part = length > longest ? longest / length : 1;
+      const d = this.#d;
+      d.x = part * x;
+      d.y = part * y;
+      d.z = part * z;
+      this.#planesAhead(memory, body, part * length, limits);
+      this.slack = Math.max(this.slack, solvePlanes(this.#planes, d));
+      const made = this.#advance(memory, body, limits);
+      x -= made * part * x;
+      y -= made * part * y;
+      z -= made * part * z;
+      if (this.waited || made === 0 || x * x + y * y + z * z < NOTHING * NOTHING) break;
+    }
+    this.look(memory, body, limits);
+  }
+
+  /**
+   * Moves `body` over the ground by x, z, following it up and down as far as it carries.
+   */
+  walk(memory: FieldMemory, body: Capsule, x: number, z: number, limits: SlideLimits): void {
+    this.#begin();
+    const longest = STRIDE_RATIO * body.radius;
+    for (let look = 0; look < MOST_LOOKS; look++) {
+      const length = Math.sqrt(x * x + z * z);
+      const part = length > longest ? longest / length : 1;
+      const dx = part * x;
+      const dz = part * z;
+      this.#from.x = body.x;
+      this.#from.y = body.y;
+      this.#from.z = body.z;
+      this.#solveWalk(memory, body, dx, dz, part * length, limits);
+      let made = this.#advance(memory, body, limits);
+      // Blocked: is it a step?
+      const along = (body.x - this.#from.x) * dx + (body.z - this.#from.z) * dz;
+      const whole = dx * dx + dz * dz;
+      if (!this.waited && along < 0.98 * whole && this.#step(memory, body, dx, dz, along, limits)) {
+        made = 1;
+      }
+      x -= made * dx;
+      z -= made * dz;
+      const mx = body.x - this.#from.x;
+      const mz = body.z - this.#from.z;
+      // Pressed against something the rest of the way would come to nothing too.
+      const stuck = mx * mx + mz * mz < LEAST_SLIDE * LEAST_SLIDE * whole;
+      if (this.waited || stuck || x * x + z * z < NOTHING * NOTHING) break;
+    }
+    this.look(memory, body, limits);
+  }
+
+  /**
+   * Lowers `body` onto what carries it, at most `depth`.
+   *
+   * @param onward whether it is under way: then an edge that it is rolling off will do, with ground under its middle
+   * @returns whether it found something that carries; if not, `body` is where it was
+   */
+  snap(
+    memory: FieldMemory,
+    body: Capsule,
+    depth: number,
+    limits: SlideLimits,
+    onward: boolean,
+  ): boolean {
+    const part = timeOfImpact(memory, body, this.#put(0, -depth, 0), limits.skin);
+    if (part === 1) return false;
+    const { y } = body;
+    body.y -= part * depth;
+    const carried =
+      this.#supported(memory, body, limits) ||
+      (onward && this.isOnStair(memory, body, depth, limits));
+    if (carried && this.isKnown(memory, body)) return true;
+    body.y = y;
+    this.look(memory, body, limits);
+    return false;
+  }
+
+  /** Is there room for the body as it is, to half its skin? */
+  fits(memory: FieldMemory, body: Capsule, limits: SlideLimits): boolean {
+    const set = findContacts(memory, body, limits.skin, this.#ahead);
+    for (let i = 0; i < set.count; i++) if (set.gap[i]! < 0.5 * limits.skin) return false;
+    return this.isKnown(memory, body);
+  }
+
+  #begin(): void {
+    this.slack = 0;
+    this.waited = false;
+    this.climbed = 0;
+  }
+
+  #supported(memory: FieldMemory, body: Capsule, limits: SlideLimits): boolean {
+    const set = this.look(memory, body, limits);
+    for (let i = 0; i < set.count; i++) if (this.carries(set, i, limits)) return true;
+    return false;
+  }
+
+  /** A way to look along. */
+  #put(x: number, y: number, z: number): Solution {
+    const way = this.#way;
+    way.x = x;
+    way.y = y;
+    way.z = z;
+    return way;
+  }
+
+  /**
+   * Does it touch, as of the last look, the edge of something flat enough from the side, with ground under its middle no
+   * more than `depth` below?
+   */
+  isOnStair(memory: FieldMemory, body: Capsule, depth: number, limits: SlideLimits): boolean {
+    const { contacts: set } = this;
+    for (let i = 0; i < set.count; i++) {
+      if (set.gap[i]! > limits.skin + TOUCH) continue;
+      if (set.normal[3 * i + 1]! < 0.1 || set.surfaceUp[i]! < limits.slope) continue;
+      return this.#groundBelow(memory, body, depth);
+    }
+    return false;
+  }
+
+  /** Is there anything within `depth` straight below the foot? */
+  #groundBelow(memory: FieldMemory, body: Capsule, depth: number): boolean {
+    const feeler = this.#feeler;
+    feeler.radius = FEELER_RATIO * body.radius;
+    feeler.height = 2 * feeler.radius;
+    feeler.x = body.x;
+    feeler.y = body.y + body.radius - feeler.radius;
+    feeler.z = body.z;
+    return timeOfImpact(memory, feeler, this.#put(0, -(body.radius + depth), 0), 0) < 1;
+  }
+
+  /** Every contact that `travel` may bring nearer than the skin, as a plane. */
+  #planesAhead(memory: FieldMemory, body: Capsule, travel: number, limits: SlideLimits): void {
+    const { skin } = limits;
+    const set = findContacts(memory, body, skin + travel + TOUCH, this.#ahead);
+    const { normal } = set;
+    this.#planes.clear();
+    for (let i = 0; i < set.count; i++) {
+      const bound = skin - set.gap[i]!;
+      this.#planes.add(normal[3 * i]!, normal[3 * i + 1]!, normal[3 * i + 2]!, bound);
+    }
+  }
+
+  /**
+   * A walker's way, into `#d`. What carries is a function of where one stands, the lowest height it allows; put into the
+   * planes of everything else, it leaves a problem in x and z alone.
+   */
+  #solveWalk(
+    memory: FieldMemory,
+    body: Capsule,
+    dx: number,
+    dz: number,
+    travel: number,
+    limits: SlideLimits,
+  ): void {
+    const { skin } = limits;
+    // A slope at the limit falls by more than the way made.
+    const set = findContacts(memory, body, skin + 2 * travel + TOUCH, this.#ahead);
+    const { normal, gap, count } = set;
+    const d = this.#d;
+    d.x = dx;
+    d.y = 0;
+    d.z = dz;
+    // Two rounds: the solution may stand on another support than the wish.
+    for (let round = 0; round < 2; round++) {
+      const ground = this.#highestSupport(d.x, d.z, limits);
+      // dy = rise - (slopeX · dx + slopeZ · dz)
+      let slopeX = 0;
+      let slopeZ = 0;
+      let rise = 0;
+      if (ground >= 0) {
+        const up = normal[3 * ground + 1]!;
+        slopeX = normal[3 * ground]! / up;
+        slopeZ = normal[3 * ground + 2]! / up;
+        rise = (skin - gap[ground]!) / up;
+      }
+      this.#planes.clear();
+      for (let i = 0; i < count; i++) {
+        if (this.carries(set, i, limits)) continue;
+        const ny = normal[3 * i + 1]!;
+        const nx = normal[3 * i]! - ny * slopeX;
+        const nz = normal[3 * i + 2]! - ny * slopeZ;
+        const bound = skin - gap[i]! - ny * rise;
+        const length = Math.sqrt(nx * nx + nz * nz);
+        if (length < 0.05) {
+          // Straight above it is no wall, but leaves less room than the body needs.
+          this.slack = Math.max(this.slack, bound / 2);
+          continue;
+        }
+        this.#planes.add(nx / length, 0, nz / length, bound / length);
+      }
+      d.x = dx;
+      d.y = 0;
+      d.z = dz;
+      this.slack = Math.max(this.slack, solvePlanes(this.#planes, d));
+      if (d.x * d.x + d.z * d.z < LEAST_SLIDE * LEAST_SLIDE * travel * travel) this.#stand(d);
+      d.y = ground >= 0 ? rise - slopeX * d.x - slopeZ * d.z : 0;
+      if (ground === this.#highestSupport(d.x, d.z, limits)) break;
+    }
+  }
+
+  /** Leaves of a slide only what pushes out of walls. */
+  #stand(d: { x: number; y: number; z: number }): void {
+    d.x = d.z = 0;
+    solvePlanes(this.#planes, d);
+  }
+
+  /** The contact of `#ahead` that lifts the body highest at x, z from here, among those that carry; -1 without any. */
+  #highestSupport(x: number, z: number, limits: SlideLimits): number {
+    const { normal, gap, count } = this.#ahead;
+    let best = -1;
+    let highest = -Infinity;
+    for (let i = 0; i < count; i++) {
+      if (!this.carries(this.#ahead, i, limits)) continue;
+      const y =
+        (limits.skin - gap[i]! - normal[3 * i]! * x - normal[3 * i + 2]! * z) / normal[3 * i + 1]!;
+      if (y <= highest) continue;
+      highest = y;
+      best = i;
+    }
+    return best;
+  }
+
+  /**
+   * Makes as much of `#d` as meets nothing nearer than half the skin and stays in what is known.
+   *
+   * @returns that part, 0 to 1
+   */
+  #advance(memory: FieldMemory, body: Capsule, limits: SlideLimits): number {
+    const { x, y, z } = this.#d;
+    // What is within the skin already is among the planes.
+    let part = timeOfImpact(memory, body, this.#d, 0.5 * limits.skin, limits.skin - CLOSE);
+    const fx = body.x;
+    const fy = body.y;
+    const fz = body.z;
+    put(body, fx, fy, fz, x, y, z, part);
+    if (this.isKnown(memory, body)) return part;
+    this.waited = true;
+    let low = 0;
+    for (let i = 0; i < HALVINGS; i++) {
+      const middle = (low + part) / 2;
+      put(body, fx, fy, fz, x, y, z, middle);
+      if (this.isKnown(memory, body)) low = middle;
+      else part = middle;
+    }
+    put(body, fx, fy, fz, x, y, z, low);
+    return low;
+  }
+
+  /** Does the body's axis lie in what the fields saw as free, all around it in their view? */
+  isKnown(memory: FieldMemory, body: Capsule): boolean {
+    const { x, y, z, radius, height } = body;
+    const length = height - 2 * radius;
+    const pieces = Math.max(1, Math.ceil(length / AXIS_STEP));
+    for (let i = 0; i <= pieces; i++) {
+      const level = y + radius + (length * i) / pieces;
+      if (!memory.isKnownFree(x, level, z, FREE_RATIO * radius, radius)) return false;
+    }
+    return true;
+  }
+
+  /**
+   * Tries to get farther than `#from` and `along` by going up, on and down again, onto what carries.
+   *
+   * @param along what was made without, as a dot product with dx, dz
+   * @returns whether the body now stands on a step; if not, it is where it was
+   */
+  #step(
+    memory: FieldMemory,
+    body: Capsule,
+    dx: number,
+    dz: number,
+    along: number,
+    limits: SlideLimits,
+  ): boolean {
+    const { skin, stepHeight } = limits;
+    if (stepHeight === 0) return false;
+    const way = Math.sqrt(dx * dx + dz * dz) + skin;
+    const steepest = limits.slope - SURFACE_SLACK;
+    // The floor it stands on is no step.
+    if (!hasTread(memory, body, -0.5 * skin, stepHeight, way, steepest)) return false;
+    const slidX = body.x;
+    const slidY = body.y;
+    const slidZ = body.z;
+    const { x, y, z } = this.#from;
+    body.x = x;
+    body.y = y;
+    body.z = z;
+    const clear = 0.99 * skin;
+    const lift = stepHeight + skin;
+    const up = lift * timeOfImpact(memory, body, this.#put(0, lift, 0), clear);
+    body.y = y + up;
+    const on = timeOfImpact(memory, body, this.#put(dx, 0, dz), clear);
+    body.x = x + on * dx;
+    body.z = z + on * dz;
+    const farther = on * (dx * dx + dz * dz);
+    if (up > NOTHING && farther > along + NOTHING * NOTHING) {
+      const known = this.isKnown(memory, body);
+      const down = timeOfImpact(memory, body, this.#put(0, -up, 0), skin);
+      body.y -= down * up;
+      // Down on what it came from, nothing was climbed.
+      if (known && body.y > y + NOTHING && this.#stands(memory, body, y - skin, limits)) {
+        this.climbed += body.y - y;
+        return true;
+      }
+    }
+    body.x = slidX;
+    body.y = slidY;
+    body.z = slidZ;
+    return false;
+  }
+
+  /** Does the body stand on a surface flat enough, no more than a step above `floor`, with room around it? */
+  #stands(memory: FieldMemory, body: Capsule, floor: number, limits: SlideLimits): boolean {
+    const set = findContacts(memory, body, limits.skin + TOUCH, this.#ahead);
+    let stands = false;
+    for (let i = 0; i < set.count; i++) {
+      if (set.gap[i]! < 0.98 * limits.skin) return false;
+      if (set.normal[3 * i + 1]! < 0.01 || set.surfaceUp[i]! < limits.slope - SURFACE_SLACK)
+        continue;
+      if (set.point[3 * i + 1]! > floor + limits.stepHeight + STEP_SLACK) return false;
+      stands = true;
+    }
+    return stands && this.isKnown(memory, body);
+  }
+}
+
+function put(
+  body: Capsule,
+  fx: number,
+  fy: number,
+  fz: number,
+  x: number,
+  y: number,
+  z: number,
+  part: number,
+): void {
+  body.x = fx + part * x;
+  body.y = fy + part * y;
+  body.z = fz + part * z;
+}
