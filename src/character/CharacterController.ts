@@ -1,41 +1,41 @@
-import { Vector3, type Object3D } from 'three';
-import { AxisMaxima } from '../cube/AxisMaxima.js';
-import { DEFAULTS } from '../defaults.js';
-import { clipWish } from '../response/clipWish.js';
+import { EventDispatcher, type Object3D, Vector3 } from 'three';
+import { AxisResponse } from '../response/AxisResponse.js';
 import type { CollisionResponse } from '../response/CollisionResponse.js';
+import { SlideResponse } from '../response/SlideResponse.js';
 import { Warnings } from '../Warnings.js';
+import { AxisMotion } from './AxisMotion.js';
 import type { CharacterCollider } from './CharacterCollider.js';
+import type { CharacterEventMap } from './characterEvents.js';
 import {
   checkCharacterOptions,
   isFiniteVector,
+  isResponse,
+  isSlide,
+  RESPONSE_WANTED,
   type CharacterOptions,
 } from './characterOptions.js';
-import { Fall } from './Fall.js';
-import { drawnAt, surroundings, vouchedTravel, vouchesFor } from './surroundings.js';
-
-/** Most sub-steps a frame; with a 'sync' collider each of them draws. */
-const MAX_SUB_STEPS = 4;
-/** Steps in a row without vouching surfaces after which it says so. */
-const PATIENCE = 60;
-/** Longest travel of a sub-step while there are sub-steps left, as a part of rMax - rMin. */
-const SUB_STEP_RATIO = 0.5;
+import { type CharacterSettings, CharacterState } from './CharacterState.js';
+import type { Contact } from './Contact.js';
+import { ContactList } from './ContactList.js';
+import type { Motion } from './Motion.js';
+import { type CharacterStats, SlideMotion } from './SlideMotion.js';
 
 /** The part of a character that collides. */
 export interface CharacterBody {
-  /** Middle of the foot, world space, metres. To move it, use `teleport`. */
+  /** Middle of the foot after the last step, world space, metres. To move it, use `teleport`. */
   readonly position: Vector3;
   /** Metres. */
   readonly radius: number;
-  /** Metres. */
+  /** Metres, now: less while crouched. */
   readonly height: number;
 }
 
 /**
- * A character that walks, falls and jumps among whatever its collider draws.
+ * A character that walks, climbs, falls, jumps and rides among whatever its collider draws.
  *
  * ```js
- * const collider = new CubeCollider({ output: 'axis', rMax: 0.35 });
- * const character = new CharacterController(collider, { radius: 0.35 });
+ * const collider = new CubeCollider();
+ * const character = new CharacterController(collider);
  * character.teleport(new Vector3(0, 1, 0));
  * // each frame
  * character.walk(velocity);
@@ -43,49 +43,53 @@ export interface CharacterBody {
  * avatar.position.copy(character.position);
  * ```
  *
- * This is the paper's drawing loop (§2.1) for a sphere of `radius` standing on the foot: fall, move, draw the cubemap
- * there, push out, stop falling if pushed up. Mends, each marked where it is made: one Y-up sign convention; the sphere
- * and the user share one place; travel is cut into sub-steps and never outruns what the last cubemap can vouch for, so
- * a slow frame slows a fall or a run down instead of letting it through a wall (at most 0.9·(rMax - rMin) a sub-step,
- * four a frame: 38 m/s at 60 Hz, 12 m/s at 20 Hz with the defaults); ceilings stop a jump; delta is bounded.
+ * It moves in steps of 1/60 s, so it behaves alike at every frame rate; `position` is drawn between two of them. Its
+ * collider is drawn seldom: when the body nears the edge of what has been seen, or something around it moves.
  *
- * Without data (loading, just teleported, context lost) it holds still: it never falls into what it has not seen.
+ * The body's middle line never leaves the space that its cubemaps saw to be free. Without such (loading, just teleported,
+ * context lost) it holds still: it never falls into what it has not seen, and says so by `ready`.
  *
  * `R` and `S`, the renderer and the scene, are only handed on to the collider.
  */
-export class CharacterController<R = unknown, S = unknown> {
+export class CharacterController<R = unknown, S = unknown>
+  extends EventDispatcher<CharacterEventMap>
+  implements CharacterSettings
+{
   readonly collider: CharacterCollider<R, S>;
-  /** Middle of the foot, for drawing, world space, metres. To move it, use `teleport`. */
-  readonly position = new Vector3();
   readonly body: CharacterBody;
-  /** m/s, world axes: x and z as travelled in the last step, y the speed of falling and jumping. */
-  readonly velocity = new Vector3();
   /** m/s², downward, >= 0. */
   gravity: number;
   /** Fastest fall, m/s. */
   terminalSpeed: number;
   /** Rise of a jump's foot, metres. */
   jumpHeight: number;
-  response: CollisionResponse;
+  /** Gap kept to every surface, metres. */
+  skin: number;
+  /** Steepest slope that is walked and stood on, radians. */
+  slopeLimit: number;
+  /** Highest step climbed without a jump, metres. */
+  stepHeight: number;
+  /** How far down it follows ground that it walks off, metres. */
+  snapDistance: number;
+  /** How long after it left the ground it may still jump, seconds. */
+  coyoteTime: number;
+  /** How long a jump asked for before landing is remembered, seconds. */
+  jumpBuffer: number;
+  /** How fast the speed in the air turns toward the wish, m/s². */
+  airControl: number;
+  /** Height along `up` below which it is put back to where `teleport` last put it, metres; null for never. */
+  respawnBelow: number | null;
   readonly avatar: Object3D | null;
+  /** What was done for want of a field, in counts. */
+  readonly stats: CharacterStats = { steps: 0, held: 0, slowed: 0, draws: 0 };
 
-  readonly #walk = new Vector3();
-  readonly #move = new Vector3();
-  /** What a surface field is reduced to. */
-  readonly #scratch: AxisMaxima;
-  /** The sphere's middle while it moves, world space. */
-  readonly #center = new Vector3();
-  readonly #start = new Vector3();
-  /** `center` before a sub-step. */
-  readonly #from = new Vector3();
-  /** A sub-step's travel without falling. */
-  readonly #wanted = new Vector3();
-  readonly #travel = new Vector3();
-  readonly #push = new Vector3();
+  readonly #state: CharacterState;
+  readonly #list = new ContactList();
+  readonly #spawn = new Vector3();
   readonly #warnings = new Warnings('CharacterController');
-  readonly #fall = new Fall(this.velocity);
+  #response: CollisionResponse | SlideResponse;
+  #motion: Motion<R, S>;
   #disposed = false;
-  #unvouched = 0;
 
   /**
    * @param collider drawn and read by `update`; its place is set in world space, so leave it without a moved parent.
@@ -93,32 +97,108 @@ export class CharacterController<R = unknown, S = unknown> {
    * @throws TypeError without a collider, RangeError for options out of range (see `CharacterOptions`)
    */
   constructor(collider: CharacterCollider<R, S>, options: CharacterOptions = {}) {
+    super();
     if (typeof collider?.update !== 'function') {
       throw new TypeError('CharacterController: "collider" must be a CubeCollider.');
     }
-    const { radius, height, gravity, terminalSpeed, jumpHeight, response, avatar } =
-      checkCharacterOptions(options);
+    const checked = checkCharacterOptions(options);
     this.collider = collider;
-    this.body = { position: new Vector3(), radius, height };
-    this.gravity = gravity;
-    this.terminalSpeed = terminalSpeed;
-    this.jumpHeight = jumpHeight;
-    this.response = response;
-    this.avatar = avatar;
-    this.#scratch = new AxisMaxima(radius * DEFAULTS.collider.rMinRatio, radius);
-    if (avatar !== null) collider.exclude(avatar);
+    this.gravity = checked.gravity;
+    this.terminalSpeed = checked.terminalSpeed;
+    this.jumpHeight = checked.jumpHeight;
+    this.skin = checked.skin;
+    this.slopeLimit = checked.slopeLimit;
+    this.stepHeight = checked.stepHeight;
+    this.snapDistance = checked.snapDistance;
+    this.coyoteTime = checked.coyoteTime;
+    this.jumpBuffer = checked.jumpBuffer;
+    this.airControl = checked.airControl;
+    this.respawnBelow = checked.respawnBelow;
+    this.avatar = checked.avatar;
+    const { radius, height, crouchHeight, up } = checked;
+    const state = new CharacterState(this, this, radius, height, crouchHeight, up);
+    this.#state = state;
+    this.body = {
+      position: state.foot,
+      radius,
+      get height() {
+        return state.height;
+      },
+    };
+    this.#response =
+      checked.response ?? (collider.output === 'axis' ? new AxisResponse() : new SlideResponse());
+    this.#checkPair(this.#response);
+    this.#motion = this.#makeMotion();
+    if (this.avatar !== null) collider.exclude(this.avatar);
+  }
+
+  /** Turns contacts into displacements; may be changed at any time. The character goes on where it is, at rest. */
+  get response(): CollisionResponse | SlideResponse {
+    return this.#response;
+  }
+
+  set response(response: CollisionResponse | SlideResponse) {
+    if (!response || !isResponse(response)) {
+      throw new TypeError(RESPONSE_WANTED);
+    }
+    this.#checkPair(response);
+    this.#motion.reset();
+    this.#list.findSensors([], this.#state);
+    this.#list.report(this);
+    this.#response = response;
+    this.#state.height = this.#state.fullHeight;
+    this.#motion = this.#makeMotion();
+    this.#motion.reset();
+  }
+
+  /** Middle of the foot, for drawing, between the last two steps, world space, metres. To move it, use `teleport`. */
+  get position(): Vector3 {
+    return this.#state.position;
+  }
+
+  /** m/s, world axes. */
+  get velocity(): Vector3 {
+    return this.#state.velocity;
+  }
+
+  /** Unit vector, world axes. */
+  get up(): Readonly<Vector3> {
+    return this.#state.up;
   }
 
   /** Whether the collider's newest data can vouch for the body's place. While false, nothing moves. */
   get ready(): boolean {
-    spot.copy(this.body.position);
-    spot.y += this.#radius();
-    return vouchesFor(this.collider, spot, this.#radius());
+    return this.#motion.ready;
   }
 
-  /** Whether it stands on something, or did 0.1 s ago (`DEFAULTS.character.coyote`) and has not jumped since. */
+  /** Whether something carries it, or did `coyoteTime` ago and it has not jumped since. */
   get grounded(): boolean {
-    return this.#fall.grounded;
+    return this.#motion.grounded;
+  }
+
+  /** The contact that carries it; null in the air, and with `AxisResponse`. Overwritten by the next step. */
+  get ground(): Readonly<Contact> | null {
+    return this.#list.ground;
+  }
+
+  /** What it touches; none with `AxisResponse`. Overwritten by the next step. */
+  get contacts(): readonly Readonly<Contact>[] {
+    return this.#list.contacts;
+  }
+
+  /** Whether it has no room for its body: something closes on it. */
+  get squeezed(): boolean {
+    return this.#motion instanceof SlideMotion && this.#motion.squeezed;
+  }
+
+  /** Whether it is crouched: still so where there is no room to stand up. */
+  get crouched(): boolean {
+    return this.#state.height < this.#state.fullHeight;
+  }
+
+  /** Seconds from the draw of the newest field to its use, by the character's own clock. */
+  get latency(): number {
+    return this.#motion instanceof SlideMotion ? this.#motion.latency : 0;
   }
 
   /**
@@ -128,21 +208,20 @@ export class CharacterController<R = unknown, S = unknown> {
    */
   teleport(position: Vector3): void {
     if (!this.#accepts('teleport', position)) return;
-    this.body.position.copy(position);
-    this.position.copy(position);
-    this.#rest();
-    this.#fall.airTime = Infinity;
-    this.collider.invalidate();
+    this.#spawn.copy(position);
+    this.#put(position);
   }
 
   /**
-   * Sets the wanted horizontal velocity, m/s; its y is ignored. Holds until changed.
+   * Sets the wanted velocity, m/s; what of it points along `up` is ignored. Holds until changed.
    *
    * What is no Vector3 of finite numbers is passed over, with one warning.
    */
   walk(velocity: Vector3): void {
     if (!this.#accepts('walk', velocity)) return;
-    this.#walk.set(velocity.x, 0, velocity.z);
+    const { up, walk } = this.#state;
+    const rise = velocity.x * up.x + velocity.y * up.y + velocity.z * up.z;
+    walk.set(velocity.x - rise * up.x, velocity.y - rise * up.y, velocity.z - rise * up.z);
   }
 
   /**
@@ -153,14 +232,21 @@ export class CharacterController<R = unknown, S = unknown> {
    */
   move(displacement: Vector3): void {
     if (!this.#accepts('move', displacement)) return;
-    this.#move.add(displacement);
+    this.#state.move.add(displacement);
   }
 
-  /** Jumps `jumpHeight` high if `grounded`. Returns whether it did. */
+  /**
+   * Jumps `jumpHeight` high if `grounded`; in the air it is remembered for `jumpBuffer` seconds.
+   *
+   * @returns whether it jumps at once
+   */
   jump(): boolean {
-    if (!this.grounded || !this.ready) return false;
-    this.#fall.jump(this.jumpHeight, this.gravity);
-    return true;
+    return this.#motion.jump();
+  }
+
+  /** Crouches, or stands up as soon as there is room. `AxisResponse` knows no crouching. */
+  crouch(on: boolean): void {
+    this.#state.crouch = on;
   }
 
   /**
@@ -168,12 +254,13 @@ export class CharacterController<R = unknown, S = unknown> {
    * while not `ready`; a bad delta warns once and holds.
    */
   step(delta: number): void {
-    if (this.#usable(delta)) this.#advance(delta);
+    if (!this.#usable(delta)) return;
+    this.#motion.step(delta);
+    this.#respawn();
   }
 
   /**
-   * The one call in the animation loop: moves on by `delta` seconds and draws the cubemap. A 'sync' collider is drawn at
-   * each sub-step's place, as the paper does it; an 'async' one once, after the step, at the body's new place.
+   * The one call in the animation loop: moves on by `delta` seconds and draws the cubemap if one is due.
    *
    * Never throws for a bad frame: a missing renderer or scene, or a delta that is no number of seconds, warns once and
    * holds still.
@@ -184,135 +271,54 @@ export class CharacterController<R = unknown, S = unknown> {
       this.#warnings.once(
         'update(renderer, scene, delta) needs a renderer and a scene; holding still.',
       );
-    } else if (this.collider.readback === 'sync' && this.ready) {
-      this.#advance(delta, renderer, scene);
-    } else {
-      // 'sync' without data: hold, draw here, go on in the next frame.
-      this.#advance(delta);
-      this.#draw(renderer, scene);
+      return;
     }
+    this.#motion.update(renderer, scene, delta);
+    this.#respawn();
   }
 
   /** Lets the avatar back into cubemaps. The collider lives on: dispose of it yourself. */
   dispose(): void {
     if (this.#disposed) return;
     this.#disposed = true;
-    this.#rest();
+    this.#motion.reset();
     if (this.avatar !== null) this.collider.include(this.avatar);
   }
 
-  /** The paper's loop for one frame, in sub-steps; draws at each if given what to draw. */
-  #advance(delta: number, renderer?: R, scene?: S): void {
-    this.#place();
-    let seen = surroundings(this.collider, this.#center, this.#scratch);
-    if (seen === null) {
-      this.#rest();
-      if (this.collider.field !== null && ++this.#unvouched === PATIENCE) {
-        this.#warnings.once(
-          'the collider has surfaces, but none that vouch for the body, so it never moves: give the collider more ' +
-            'reach ("far") or "resolution" for this radius, and no moved parent.',
-        );
-      }
-      return;
+  #checkPair(response: CollisionResponse | SlideResponse): void {
+    if (!isSlide(response) || this.collider.output !== 'axis') return;
+    throw new TypeError(
+      'CharacterController: a SlideResponse needs surfaces: give the collider output: "surface", or take an AxisResponse.',
+    );
+  }
+
+  #makeMotion(): Motion<R, S> {
+    const response = this.#response;
+    if (!isSlide(response)) {
+      return new AxisMotion(this.#state, this.collider, response, this.#warnings);
     }
-    this.#unvouched = 0;
-    if (Math.abs(seen.rMax - this.body.radius) > this.body.radius / 1000) {
-      this.#warnings.once(
-        `"radius" should equal the collider's rMax; the latter is taken (got ${this.body.radius}, ${seen.rMax}).`,
-        'radius',
-      );
-    }
-    // Mend: dt is bounded, a page that slept goes on where it was.
-    const dt = Math.min(delta, DEFAULTS.character.maxDelta);
-    this.#wanted.copy(this.#walk).multiplyScalar(dt).add(this.#move);
-    this.#move.set(0, 0, 0);
-    const fall = (this.velocity.y - 0.5 * this.gravity * dt) * dt;
-    const length = this.#travel
-      .copy(this.#wanted)
-      .setY(this.#wanted.y + fall)
-      .length();
-    const longest = SUB_STEP_RATIO * (seen.rMax - seen.rMin);
-    const steps = Math.min(MAX_SUB_STEPS, Math.max(1, Math.ceil(length / longest)));
-    this.#wanted.divideScalar(steps);
-    this.#start.copy(this.#center);
-    for (let i = 0; i < steps && seen !== null; i++) {
-      seen = this.#subStep(seen, dt / steps, renderer, scene);
-    }
-    if (dt === 0) return;
-    this.velocity.x = (this.#center.x - this.#start.x) / dt;
-    this.velocity.z = (this.#center.z - this.#start.z) / dt;
+    return new SlideMotion(
+      this.#state,
+      this.collider,
+      response,
+      this.#list,
+      this.stats,
+      this.#warnings,
+    );
   }
 
-  /**
-   * Moves `center` by a part of the frame's fall and wish, looks, gets out of what it ran into.
-   *
-   * @returns what it saw last, or null if the data no longer vouch and the rest of the frame must wait
-   */
-  #subStep(seen: AxisMaxima, dt: number, renderer?: R, scene?: S): AxisMaxima | null {
-    const from = this.#from.copy(this.#center);
-    // Mend: the user's displacement does not push on into a wall that is already touched.
-    clipWish(seen, from, this.#travel.copy(this.#wanted));
-    const rising = this.velocity.y;
-    this.#travel.y += this.#fall.travel(dt, this.gravity, this.terminalSpeed, seen.rMax);
-    // Mend: never outrun what the cubemap vouches for. Time waits with it: neither a fall's nor a jump's speed is lost.
-    const part = vouchedTravel(this.collider, seen, from, this.#travel);
-    this.velocity.y = rising + part * (this.velocity.y - rising);
-    this.#center.addScaledVector(this.#travel, part);
-
-    if (renderer !== undefined && scene !== undefined) {
-      this.#draw(renderer, scene);
-      if (!drawnAt(this.collider, this.#center, seen.rMax)) {
-        this.#warnings.once(
-          'the collider did not draw at the character (disposed, context lost, or under a moved parent?); holding still.',
-        );
-        this.#center.copy(from);
-        this.#rest();
-        return null;
-      }
-    }
-    const now = surroundings(this.collider, this.#center, this.#scratch);
-    if (now !== null) this.#respond(now, dt);
-    // Mend: the paper's sphere never gets the response and drifts from the user; here both share one place.
-    this.#settle();
-    return now;
+  #put(position: Vector3): void {
+    this.#state.foot.copy(position);
+    this.#state.position.copy(position);
+    this.#motion.reset();
+    this.collider.invalidate();
   }
 
-  #respond(seen: AxisMaxima, dt: number): void {
-    this.response.respond(seen, this.#center, this.#push);
-    this.#center.add(this.#push);
-    this.#fall.touch(this.#push.y, this.#from, this.#center, dt);
-    const dy = this.#center.y - this.#from.y;
-    if (this.#wanted.lengthSq() === 0 && this.#fall.isRounding(dy, seen)) {
-      this.#center.y = this.#from.y;
-    }
-  }
-
-  /** Radius of the colliding sphere: in the paper's mode the collider's rMax, whatever `radius` says. */
-  #radius(): number {
-    return this.collider.maxima?.rMax ?? this.body.radius;
-  }
-
-  /** `center` from the foot. */
-  #place(): void {
-    this.#center.copy(this.body.position);
-    this.#center.y += this.#radius();
-  }
-
-  /** The foot from `center`. */
-  #settle(): void {
-    this.body.position.copy(this.#center);
-    this.body.position.y -= this.#radius();
-    this.position.copy(this.body.position);
-  }
-
-  #draw(renderer: R, scene: S): void {
-    this.collider.position.copy(this.#center);
-    this.collider.update(renderer, scene);
-  }
-
-  #rest(): void {
-    this.velocity.set(0, 0, 0);
-    this.#move.set(0, 0, 0);
+  #respawn(): void {
+    const { foot, up } = this.#state;
+    if (this.respawnBelow === null || foot.dot(up) >= this.respawnBelow) return;
+    this.#put(this.#spawn);
+    this.dispatchEvent({ type: 'respawn', position: this.#spawn });
   }
 
   /** A vector that a frame's sums may have spoiled: it must neither throw into the loop nor be taken. */
@@ -336,6 +342,3 @@ export class CharacterController<R = unknown, S = unknown> {
     return false;
   }
 }
-
-/** Scratch of `ready`. */
-const spot = /* @__PURE__ */ new Vector3();

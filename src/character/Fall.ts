@@ -17,13 +17,13 @@ export class Fall {
   constructor(readonly velocity: Vector3) {}
 
   /**
-   * Whether the ground pushed within the last 0.1 s (`DEFAULTS.character.coyote`) and no jump has left it since.
+   * Whether the ground pushed within the last 0.1 s (`DEFAULTS.character.coyoteTime`) and no jump has left it since.
    *
    * Mend: the paper's test alone flickers. Standing, the sphere sinks by g·dt²/2 a frame, which at 240 Hz is less than
    * half a step of the 8-bit red, and says nothing.
    */
   get grounded(): boolean {
-    return this.airTime <= DEFAULTS.character.coyote;
+    return this.airTime <= DEFAULTS.character.coyoteTime;
   }
 
   /**

@@ -2,6 +2,7 @@ import { Object3D, Vector3 } from 'three';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { CharacterController } from '../../src/character/CharacterController.js';
 import type { CharacterOptions } from '../../src/character/characterOptions.js';
+import { AxisResponse } from '../../src/response/AxisResponse.js';
 import { AnalyticCollider } from '../support/AnalyticCollider.js';
 import { floor } from '../support/analytic.js';
 
@@ -11,7 +12,7 @@ afterEach(() => vi.clearAllMocks());
 
 function standing(options: CharacterOptions = {}) {
   const collider = new AnalyticCollider(floor());
-  const character = new CharacterController(collider, options);
+  const character = new CharacterController(collider, { response: new AxisResponse(), ...options });
   for (let i = 0; i < 30; i++) character.update({}, {}, 1 / 60);
   return { collider, character };
 }
@@ -47,7 +48,7 @@ describe('CharacterController, built', () => {
   it('should leave the avatar out of the cubemap until disposed, and its collider alone', () => {
     const avatar = new Object3D();
     const collider = new AnalyticCollider(floor());
-    const character = new CharacterController(collider, { avatar });
+    const character = new CharacterController(collider, { avatar, response: new AxisResponse() });
     expect(collider.excluded).toEqual([avatar]);
     character.dispose();
     character.dispose();
@@ -121,7 +122,7 @@ describe('CharacterController, moved', () => {
 describe('CharacterController, without data', () => {
   it('should hold still until the first cubemap has come, then fall', () => {
     const collider = new AnalyticCollider(floor(), { output: 'surface', latency: 5 });
-    const character = new CharacterController(collider);
+    const character = new CharacterController(collider, { response: new AxisResponse() });
     character.teleport(new Vector3(0, 3, 0));
     character.walk(new Vector3(3, 0, 0));
     for (let i = 0; i < 5; i++) {
@@ -173,7 +174,7 @@ describe('CharacterController, without data', () => {
         readback: 'sync',
         resolution: 32,
       });
-      const character = new CharacterController(collider);
+      const character = new CharacterController(collider, { response: new AxisResponse() });
       character.teleport(new Vector3());
       character.update({}, {}, 0);
       for (let i = 0; i < 600; i++) character.step(1 / 60);
@@ -234,7 +235,9 @@ describe('CharacterController, in bad frames', () => {
   });
 
   it("should say once that the collider's rMax is another radius, and stand on that", () => {
-    const character = new CharacterController(new AnalyticCollider(floor(), { rMax: 0.5 }));
+    const character = new CharacterController(new AnalyticCollider(floor(), { rMax: 0.5 }), {
+      response: new AxisResponse(),
+    });
     for (let i = 0; i < 60; i++) character.update({}, {}, 1 / 60);
     expect(warn).toHaveBeenCalledTimes(1);
     expect(Math.abs(character.position.y)).toBeLessThan(0.005);

@@ -1,11 +1,13 @@
 import { Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { AxisMaxima, CharacterController, SurfaceField } from 'three-cube-collider';
+import { AxisMaxima, AxisResponse, CharacterController, SurfaceField } from 'three-cube-collider';
 import type { CharacterCollider } from 'three-cube-collider';
 import { decodeSurface } from '../../src/cube/encoding.js';
 
 /** What V8 wraps a double in that is handed from function to function; a Vector3 is six of these. */
 const NUMBER = 16;
+
+const SURVEY = { moved: false, changed: false, deforms: false, sensors: [] };
 
 /** Bytes of heap that each call leaves behind, once the compiler has settled. */
 function bytesEach(calls: number, run: () => void): number {
@@ -24,16 +26,20 @@ function bytesEach(calls: number, run: () => void): number {
 function standing(found: Partial<CharacterCollider>): CharacterController {
   const collider: CharacterCollider = {
     position: new Vector3(),
+    output: found.maxima ? 'axis' : 'surface',
+    far: 1.8,
+    autoFar: false,
     field: null,
     maxima: null,
     readback: 'sync',
-    update: () => {},
+    update: () => true,
+    survey: () => SURVEY,
     invalidate: () => {},
     exclude: () => {},
     include: () => {},
     ...found,
   };
-  const character = new CharacterController(collider);
+  const character = new CharacterController(collider, { response: new AxisResponse() });
   character.walk(new Vector3(0.001, 0, 0));
   return character;
 }

@@ -1,0 +1,113 @@
+import { Vector3 } from 'three';
+import type { Survey } from './CharacterCollider.js';
+
+/** Way made between two draws, metres: at 5 m/s and 60 Hz every fourth frame. */
+const INTERVAL = 0.34;
+/** The same for what is fast, seconds. */
+const INTERVAL_TIME = 4 / 60;
+/** Most of a field's room that may be used up between two draws. */
+const ROOM_RATIO = 0.6;
+/** Time between draws of what moves, seconds. */
+const MOVER_INTERVAL = 0.03;
+/** Age at which a field with something in it that may deform is renewed, seconds: `maxAge` of the design. */
+const MAX_AGE = 0.1;
+/** Way made after which it is worth looking round a corner again, metres. */
+const LEAST = 0.08;
+/** A draw this near to the body's middle is what a waiting body waits for, metres. */
+const HERE = 0.03;
+/** How long it is waited for, seconds. */
+const PATIENCE = 0.25;
+/** How long after it came to rest one more field is drawn around where it is, seconds. */
+const SETTLED = 0.25;
+/** Slower than this it is at rest, m/s. */
+const STILL = 0.01;
+
+/**
+ * When to draw the next cubemap, and where: seldom, for reading back is what costs.
+ */
+export class DrawPolicy {
+  /** Centre of the last draw, and where the body was then. */
+  readonly center = new Vector3(NaN, NaN, NaN);
+  readonly #from = new Vector3();
+  #since = Infinity;
+  #rested = 0;
+  #settled = false;
+
+  /** After a teleport: draw at once. */
+  reset(): void {
+    this.center.set(NaN, NaN, NaN);
+    this.#since = Infinity;
+    this.#settled = false;
+  }
+
+  /**
+   * Is a draw due?
+   *
+   * @param middle of the body, world space
+   * @param velocity of the body, m/s
+   * @param room how far the body may move from a field's centre
+   * @param waiting whether the body stands for want of a field
+   * @param sees whether what is ahead can be seen
+   * @param empty whether there is no field at all
+   * @param dt seconds since it was asked last
+   */
+  due(
+    survey: Readonly<Survey>,
+    middle: Vector3,
+    velocity: Vector3,
+    room: number,
+    waiting: boolean,
+    sees: boolean,
+    empty: boolean,
+    dt: number,
+  ): boolean {
+    this.#since += dt;
+    const speed = velocity.length();
+    this.#rested = speed < STILL ? this.#rested + dt : 0;
+    if (this.#rested === 0) this.#settled = false;
+    if (survey.changed || empty || Number.isNaN(this.center.x)) return true;
+    // Asked for already, it is on its way; but ways get lost.
+    if (waiting) return middle.distanceTo(this.center) > HERE || this.#since > PATIENCE;
+    if (survey.moved && this.#since >= MOVER_INTERVAL) return true;
+    if (survey.deforms && this.#since >= MAX_AGE) return true;
+    const most = interval(speed, room);
+    const made = middle.distanceTo(this.#from);
+    if (made > most || (!sees && made > LEAST)) return true;
+    // It turned away from where it was expected.
+    const away = middle.distanceTo(this.center);
+    if (away > this.#from.distanceTo(this.center) + 0.5 * most) return true;
+    return this.#rested > SETTLED && !this.#settled && away > 0.02;
+  }
+
+  /**
+   * Where to draw: ahead of the body, so that it passes through the middle of what is seen.
+   *
+   * @param latency seconds until the field will be there
+   * @returns `target`
+   */
+  predict(
+    middle: Vector3,
+    velocity: Vector3,
+    room: number,
+    latency: number,
+    target: Vector3,
+  ): Vector3 {
+    const speed = velocity.length();
+    target.copy(middle);
+    if (speed < STILL) return target;
+    const ahead = Math.min(speed * latency + 0.5 * interval(speed, room), ROOM_RATIO * room);
+    return target.addScaledVector(velocity, ahead / speed);
+  }
+
+  /** A draw was made around `center` while the body's middle was at `from`. */
+  drawn(center: Vector3, from: Vector3): void {
+    this.center.copy(center);
+    this.#from.copy(from);
+    this.#since = 0;
+    this.#settled = this.#rested > SETTLED;
+  }
+}
+
+function interval(speed: number, room: number): number {
+  return Math.min(Math.max(INTERVAL, speed * INTERVAL_TIME), ROOM_RATIO * room);
+}
