@@ -13,6 +13,11 @@ const LARGEST_STEP = 0.6;
 const STEP_RATE = 14;
 const BOOM_RATE = 10;
 const TURN_RATE = 12;
+const EYE_RATE = 12;
+/** How fast a slope or a lift is told from a step, 1/s. */
+const SLOPE_RATE = 8;
+/** Lowest the eyes sink, metres. */
+const LOWEST_EYE = 0.3;
 
 const _euler = /* @__PURE__ */ new Euler(0, 0, 0, 'YXZ');
 const _boom = /* @__PURE__ */ new Vector3();
@@ -33,6 +38,12 @@ export class CameraRig {
   #boom = NaN;
   /** What is left to climb of the steps walked, metres. */
   #lag = 0;
+  /** Speed at which slopes and lifts have raised it lately, m/s. */
+  #rise = 0;
+  /** How far the eyes have sunk with the body, metres. */
+  #sunk = 0;
+  #tallest = 0;
+  #character: ControlledCharacter | null = null;
   #lastY = NaN;
   #lastGrounded = false;
   #facing = NaN;
@@ -41,7 +52,7 @@ export class CameraRig {
    * Places the camera.
    *
    * @param boom wanted distance from the head, metres; 0 in first person
-   * @param eyeHeight above the foot, metres
+   * @param eyeHeight above the foot, standing, metres
    * @param yaw about +Y, 0 looks along -Z, radians @param pitch up, radians
    */
   place(
@@ -54,7 +65,8 @@ export class CameraRig {
     delta: number,
   ): void {
     const foot = character.position;
-    this.#climb(foot.y, character.grounded, delta);
+    this.#climb(foot.y, character, delta);
+    eyeHeight = this.#sink(character, eyeHeight, delta);
     this.#boom = Number.isNaN(this.#boom) ? boom : this.#boom;
     this.#boom += (boom - this.#boom) * catchUp(BOOM_RATE * this.smoothing, delta);
     if (Math.abs(boom - this.#boom) < 1e-3) this.#boom = boom;
@@ -85,7 +97,8 @@ export class CameraRig {
   ): void {
     avatar.visible = this.#boom > AVATAR_NEAR;
     avatar.position.copy(character.position);
-    avatar.position.y += this.#lag;
+    // Its soles are on the ground, not on the gap that the body keeps.
+    avatar.position.y += this.#lag - (character.skin ?? 0);
     if (Number.isNaN(this.#facing)) this.#facing = yaw + Math.PI;
     if (heading.x !== 0 || heading.z !== 0) {
       const turn = Math.atan2(heading.x, heading.z) - this.#facing;
@@ -95,11 +108,34 @@ export class CameraRig {
     avatar.rotation.set(0, this.#facing, 0);
   }
 
-  /** A step is climbed at once by the body; the eye takes a moment. Falls and jumps are not smoothed: they would lag. */
-  #climb(y: number, grounded: boolean, delta: number): void {
+  /** The eyes sink with a body that crouches, and rise with it again. Returns their height above the foot, metres. */
+  #sink(character: ControlledCharacter, eyeHeight: number, delta: number): number {
+    if (character !== this.#character) {
+      this.#character = character;
+      this.#tallest = 0;
+    }
+    const height = character.body?.height ?? 0;
+    this.#tallest = Math.max(this.#tallest, height);
+    const wanted = this.#tallest - height;
+    this.#sunk += (wanted - this.#sunk) * catchUp(EYE_RATE * this.smoothing, delta);
+    if (Math.abs(wanted - this.#sunk) < 1e-3) this.#sunk = wanted;
+    return this.#sunk === 0 ? eyeHeight : Math.max(eyeHeight - this.#sunk, LOWEST_EYE);
+  }
+
+  /**
+   * A step is climbed at once by the body; the eye takes a moment. Slopes and lifts are followed without that delay, or
+   * the avatar would wade in them; falls and jumps are not smoothed, they would lag.
+   */
+  #climb(y: number, { grounded, velocity }: ControlledCharacter, delta: number): void {
     const rise = y - this.#lastY;
-    if (grounded && this.#lastGrounded && Math.abs(rise) < LARGEST_STEP) this.#lag -= rise;
-    else if (!(Math.abs(rise) < LARGEST_STEP)) this.#lag = 0;
+    const small = Math.abs(rise) < LARGEST_STEP;
+    if (grounded && this.#lastGrounded && small) {
+      this.#rise += (velocity.y - this.#rise) * catchUp(SLOPE_RATE * this.smoothing, delta);
+      this.#lag -= rise - this.#rise * delta;
+    } else {
+      this.#rise = 0;
+      if (!small) this.#lag = 0;
+    }
     this.#lag -= this.#lag * catchUp(STEP_RATE * this.smoothing, delta);
     this.#lag = Math.max(-LARGEST_STEP, Math.min(LARGEST_STEP, this.#lag));
     this.#lastY = y;

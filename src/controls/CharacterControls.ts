@@ -63,15 +63,15 @@ const _euler = /* @__PURE__ */ new Euler(0, 0, 0, 'YXZ');
  * ```
  *
  * A click on the element captures the pointer and the mouse looks; where a browser refuses, dragging does. Keys go by
- * their place on the keyboard: WASD or arrows, Shift runs, Space jumps, `keys` changes them. The camera is placed in
- * the world's frame: leave it without a parent, or in one that does not move.
+ * their place on the keyboard: WASD or arrows, Shift runs, Space jumps, C held crouches, `keys` changes them. The camera
+ * is placed in the world's frame: leave it without a parent, or in one that does not move.
  */
 export class CharacterControls extends Controls<CharacterControlsEventMap, Camera> {
   /** Speed of walking, m/s. @default 3 */
   walkSpeed: number = DEFAULTS.controls.walkSpeed;
   /** Speed while Shift is held, m/s. @default 6 */
   runSpeed: number = DEFAULTS.controls.runSpeed;
-  /** Height of the eyes above the foot, metres. @default 1.6 */
+  /** Height of the eyes above the foot, standing, metres. @default 1.6 */
   eyeHeight: number = DEFAULTS.controls.eyeHeight;
   /** Turn of the view for a pixel of mouse travel, radians. @default 0.002 */
   sensitivity: number = DEFAULTS.controls.sensitivity;
@@ -94,7 +94,7 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
    * `prefers-reduced-motion`. The head never bobs. @default 1
    */
   smoothing: number = DEFAULTS.controls.smoothing;
-  /** Keys of each action, by `KeyboardEvent.code`: WASD or arrows, Shift runs, Space jumps. */
+  /** Keys of each action, by `KeyboardEvent.code`: WASD or arrows, Shift runs, Space jumps, C crouches. */
   keys: KeyMap = defaultKeys();
   /** Direction of the view about +Y, radians: 0 looks along -Z, growing turns left. Read from the camera at first. */
   yaw = 0;
@@ -112,6 +112,7 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
   readonly #velocity = new Vector3();
   #currentView: View = DEFAULTS.controls.view;
   #walking = false;
+  #crouching = false;
 
   /**
    * @param character what to walk
@@ -229,6 +230,7 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
     if (walks || this.#walking) this.character.walk(this.#velocity);
     this.#walking = walks;
     if (this.#keyboard.taken('jump')) this.character.jump();
+    this.#crouch(this.#keyboard.held('crouch'));
   }
 
   /**
@@ -265,6 +267,14 @@ export class CharacterControls extends Controls<CharacterControlsEventMap, Camer
     this.#velocity.set(0, 0, 0);
     if (this.#walking) this.character.walk(this.#velocity);
     this.#walking = false;
+    this.#crouch(false);
+  }
+
+  /** Told when it changes: a character that others let crouch is left alone. */
+  #crouch(on: boolean): void {
+    if (on === this.#crouching) return;
+    this.#crouching = on;
+    this.character.crouch?.(on);
   }
 
   #onLocked(locked: boolean): void {

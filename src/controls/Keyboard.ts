@@ -1,10 +1,13 @@
 /** What a key can ask for. */
-export type Action = 'forward' | 'back' | 'left' | 'right' | 'run' | 'jump';
+export type Action = 'forward' | 'back' | 'left' | 'right' | 'run' | 'jump' | 'crouch';
 
 /** Per action the keys that ask for it, as `KeyboardEvent.code` names them: by place, whatever the layout. */
 export type KeyMap = Record<Action, string[]>;
 
-/** WASD and the arrows, Shift, Space. A new map each time, so that one may be changed. */
+/**
+ * WASD and the arrows, Shift, Space, C (not Ctrl, which closes the page together with W). A new map each time, so that
+ * one may be changed.
+ */
 export function defaultKeys(): KeyMap {
   return {
     forward: ['KeyW', 'ArrowUp'],
@@ -13,6 +16,7 @@ export function defaultKeys(): KeyMap {
     right: ['KeyD', 'ArrowRight'],
     run: ['ShiftLeft', 'ShiftRight'],
     jump: ['Space'],
+    crouch: ['KeyC'],
   };
 }
 
