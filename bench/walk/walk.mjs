@@ -1,0 +1,103 @@
+// @ts-check
+// Walks levels with the character and its rivals, judges every step: `npm run walk -- --help`; results in
+// docs/accuracy.md.
+import { appendFileSync, readFileSync, writeFileSync } from 'node:fs';
+import { basename } from 'node:path';
+import { main } from '../../scripts/run.mjs';
+import { drawChart } from './chart.mjs';
+import { readOptions, versions } from './options.mjs';
+import { openSession, urlOf } from './session.mjs';
+import { lateness, NAMES, tables, writeBetweenMarks } from './table.mjs';
+
+const RIVALS = ['mesh-bvh', 'octree', 'rapier'];
+
+/** @param {ReturnType<typeof readOptions>} options */
+async function walkAll(options) {
+  const session = await openSession(options.levels);
+  try {
+    const results = {
+      machine: session.machine,
+      versions: versions(),
+      seed: options.seed,
+      /** @type {any[]} */
+      levels: [],
+    };
+    for (const [i, file] of options.levels.entries()) {
+      const place = { level: urlOf(i), start: options.start };
+      const description = await session.ask({ do: 'describe', ...place });
+      const level = { name: basename(file), ...description, rows: [] };
+      results.levels.push(level);
+      for (const walk of cases(options)) {
+        const title = `${level.name}, ${NAMES[walk.mover]}, ${walk.hz} Hz, ${lateness(walk.latency)}`;
+        const { trace, ...result } = await session.walk(
+          { ...walk, ...place, trace: options.trace !== undefined },
+          title,
+        );
+        level.rows.push({ ...walk, ...result });
+        if (options.trace) appendTrace(options.trace, [level.name, walk], trace);
+        // A long run that is broken off leaves what it has.
+        if (options.json) writeFileSync(options.json, JSON.stringify(results));
+      }
+    }
+    return results;
+  } finally {
+    await session.close();
+  }
+}
+
+/** Of runs on one machine, one after the other or side by side. @param {string[]} files */
+function readResults(files) {
+  const [first, ...others] = files.map((file) => JSON.parse(readFileSync(file, 'utf8')));
+  for (const { levels } of others) first.levels.push(...levels);
+  return first;
+}
+
+/**
+ * @param {string} file
+ * @param {[string, any]} of the level's name, and the walk
+ * @param {number[][]} trace
+ */
+function appendTrace(file, [level, { mover, hz, latency }], trace) {
+  const head = `${level},${mover},${hz},${lateness(latency)}`;
+  appendFileSync(file, trace.map((frame, i) => `${head},${i},${frame.join()}\n`).join(''));
+}
+
+/**
+ * Every walk of one level.
+ *
+ * @param {ReturnType<typeof readOptions>} options
+ * @returns {Generator<any>} a `WalkCase` each, but for the level
+ */
+function* cases({
+  hz: rates,
+  latency,
+  steps,
+  asyncSteps,
+  seed,
+  leg,
+  rivals,
+  collider,
+  ...options
+}) {
+  for (const hz of rates) {
+    const common = { hz, seed, leg, frames: steps, latency: 0 };
+    if (rivals) for (const mover of RIVALS) yield { ...common, mover };
+    for (const late of latency) yield { ...common, mover: 'cube', latency: late, collider };
+  }
+  if (!options['real-async']) return;
+  const common = { hz: 60, seed, leg, frames: asyncSteps };
+  if (rivals && asyncSteps !== steps) yield { ...common, mover: 'mesh-bvh', latency: 0 };
+  yield { ...common, mover: 'cube', latency: 'real', collider };
+}
+
+await main(async () => {
+  const options = readOptions();
+  if (options.trace) {
+    writeFileSync(options.trace, 'level,mover,hz,late,frame,x,y,z,grounded,penetration\n');
+  }
+  const results = options.from ? readResults(options.from) : await walkAll(options);
+  const text = tables(results);
+  console.log(text);
+  if (options.markdown) await writeBetweenMarks(options.markdown, 'walk', text);
+  if (options.chart) writeFileSync(options.chart, await drawChart(results));
+});

@@ -1,0 +1,86 @@
+import { WebGLRenderer, type Scene, type Vector3 } from 'three';
+import { CharacterController, CubeCollider } from 'three-cube-collider';
+import { HeldBackCollider } from '../HeldBackCollider.js';
+import { SHAPE } from '../shape.js';
+import type { Walker, WalkerCounts } from './Walker.js';
+
+export interface CubeWalkerOptions {
+  /** Frames that each field is held back; 0 reads 'sync', 'real' reads asynchronously as shipped. */
+  latency: number | 'real';
+  /** Further options of the `CubeCollider`. */
+  collider?: Record<string, unknown>;
+}
+
+/** Ours: the character as shipped, its cubemaps drawn by the GPU. The user's own picture is not drawn. */
+export class CubeWalker implements Walker {
+  preparation = 0;
+  readonly #renderer = new WebGLRenderer({ antialias: false });
+  readonly #scene: Scene;
+  readonly #collider: CubeCollider;
+  readonly #heldBack: HeldBackCollider | null;
+  readonly #character: CharacterController<WebGLRenderer, Scene>;
+
+  private constructor(scene: Scene, { latency, collider = {} }: CubeWalkerOptions) {
+    this.#scene = scene;
+    this.#renderer.setSize(16, 16);
+    const readback = latency === 'real' ? 'async' : 'sync';
+    this.#collider = new CubeCollider({ ...collider, output: 'surface', readback });
+    this.#heldBack =
+      latency === 'real' || latency === 0 ? null : new HeldBackCollider(this.#collider, latency);
+    const { radius, height, gravity, jumpHeight } = SHAPE;
+    this.#character = new CharacterController<WebGLRenderer, Scene>(
+      this.#heldBack ?? this.#collider,
+      { radius, height, gravity, jumpHeight },
+    );
+  }
+
+  /** Compiles the programs too. */
+  static async create(scene: Scene, options: CubeWalkerOptions): Promise<CubeWalker> {
+    const walker = new CubeWalker(scene, options);
+    const start = performance.now();
+    await walker.#collider.compile(walker.#renderer, scene);
+    walker.preparation = performance.now() - start;
+    return walker;
+  }
+
+  get foot(): Vector3 {
+    return this.#character.body.position;
+  }
+
+  get waiting(): number {
+    return this.#collider.stats.blocked;
+  }
+
+  get grounded(): boolean {
+    return this.#character.grounded;
+  }
+
+  place(foot: Vector3): void {
+    this.#character.teleport(foot);
+  }
+
+  frame(velocity: Vector3, jump: boolean, dt: number): void {
+    this.#heldBack?.frame();
+    this.#character.walk(velocity);
+    if (jump) this.#character.jump();
+    this.#character.update(this.#renderer, this.#scene, dt);
+  }
+
+  counts(): WalkerCounts {
+    const { draws, forced } = this.#collider.stats;
+    return { draws, forced, ...stepCounts(this.#character) };
+  }
+
+  dispose(): void {
+    this.#character.dispose();
+    this.#collider.dispose();
+    this.#renderer.dispose();
+    this.#renderer.forceContextLoss();
+  }
+}
+
+/** Of a character that counts its steps; one that does not is judged all the same. */
+function stepCounts(character: object): WalkerCounts {
+  const { stats } = character as { stats?: { steps: number; held: number; slowed: number } };
+  return stats ? { steps: stats.steps, held: stats.held, slowed: stats.slowed } : {};
+}
