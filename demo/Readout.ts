@@ -1,10 +1,21 @@
+import type { Object3D } from 'three';
 import type { CharacterController, CubeCollider } from 'three-cube-collider';
 import { element } from './page.js';
 
 /** Seconds between two looks at the numbers: they are to be read. */
 const INTERVAL = 0.25;
 
-const ROWS = ['frame', 'position', 'ground', 'draws', 'reads', 'blocked', 'latency'] as const;
+const ROWS = [
+  'frame',
+  'position',
+  'ground',
+  'contacts',
+  'held',
+  'draws',
+  'reads',
+  'blocked',
+  'latency',
+] as const;
 
 /** The small table of numbers in the corner. */
 export class Readout {
@@ -49,14 +60,16 @@ export class Readout {
       `${((1000 * this.#seconds) / frames).toFixed(1)} ms · ${Math.round(frames / this.#seconds)} fps`,
     );
     this.#show('position', [x, y, z].map((value) => signed(value)).join(' '));
-    this.#show(
-      'ground',
-      !character.ready ? 'waiting' : character.grounded ? 'standing' : 'in the air',
-    );
-    this.#show('draws', `${draws.toFixed(1)} a frame`);
-    this.#show('reads', `${reads.toFixed(1)} a frame`);
+    this.#show('ground', standing(character));
+    this.#show('contacts', String(character.contacts.length));
+    const { held, slowed } = character.stats;
+    this.#show('held', `${held} · slowed ${slowed}`);
+    this.#show('draws', `${draws.toFixed(2)} a frame`);
+    this.#show('reads', `${reads.toFixed(2)} a frame`);
     this.#show('blocked', `${blocked.toFixed(1)} ms a frame`);
-    this.#show('latency', `${stats.latency.toFixed(1)} ms · ${stats.latencyUpdates} frames`);
+    // From the draw to the character's next step, or, in the paper's mode, to the page.
+    const latency = 1000 * character.latency || stats.latency;
+    this.#show('latency', `${latency.toFixed(1)} ms`);
     this.#draws = stats.draws;
     this.#reads = stats.reads;
     this.#blocked = stats.blocked;
@@ -66,6 +79,19 @@ export class Readout {
   #show(name: (typeof ROWS)[number], text: string): void {
     this.#cells.get(name)!.textContent = text;
   }
+}
+
+/** What it stands on, by name, or why it does not. */
+function standing({ ready, squeezed, grounded, ground }: CharacterController): string {
+  if (!ready) return 'waiting';
+  if (squeezed) return 'squeezed';
+  if (!grounded) return 'in the air';
+  return nameOf(ground?.object ?? null) || 'standing';
+}
+
+/** A glTF mesh of several materials comes as a mesh each, named with a number behind. */
+function nameOf(object: Object3D | null): string {
+  return object?.name.replace(/_\d+$/, '') ?? '';
 }
 
 /** Two digits after the point, with a sign as wide as a digit. */

@@ -20,8 +20,8 @@ const STRIDE = 1.5;
 export interface Avatar {
   /** Origin at the foot, looking along +Z, 1.75 m tall. */
   readonly object: Group;
-  /** Swings arms and legs. @param speed m/s along the ground */
-  animate(delta: number, speed: number, grounded: boolean): void;
+  /** Swings arms and legs; crouched it is 1.1 m tall. @param speed m/s along the ground */
+  animate(delta: number, speed: number, grounded: boolean, crouched: boolean): void;
 }
 
 /** A small rounded traveller with a visor and a backpack, made of primitives. */
@@ -127,15 +127,17 @@ export function createAvatar(): Avatar {
   let phase = 0;
   let swing = 0;
   let air = 0;
+  let crouch = 0;
   let time = 0;
   return {
     object,
-    animate(delta, speed, grounded) {
+    animate(delta, speed, grounded, crouched) {
       const soft = 1 - Math.exp(-10 * delta);
       time += delta;
       phase += ((speed * delta) / STRIDE) * 2 * Math.PI;
       swing += ((grounded ? Math.min(speed / 4, 1) : 0) - swing) * soft;
       air += ((grounded ? 0 : 1) - air) * soft;
+      crouch += ((crouched ? 1 : 0) - crouch) * soft;
       [-1, 1].forEach((side, i) => {
         const turn = Math.sin(phase) * side;
         // In the air one knee comes forward, the arms lift.
@@ -143,10 +145,19 @@ export function createAvatar(): Avatar {
         arms[i]!.rotation.x = -0.65 * swing * turn - 0.3 * air;
         arms[i]!.rotation.z = side * (0.3 + 0.12 * swing + 0.55 * air);
       });
-      upper.position.y = 0.025 * swing * Math.abs(Math.cos(phase)) + 0.006 * Math.sin(2 * time);
-      upper.rotation.x = 0.09 * swing;
+      // Crouched it sits on its heels, leans forward and draws in its head.
+      for (const leg of legs) {
+        leg.position.y = 0.5 - 0.24 * crouch;
+        leg.scale.y = 1 - 0.48 * crouch;
+      }
+      upper.position.y =
+        0.025 * swing * Math.abs(Math.cos(phase)) + 0.006 * Math.sin(2 * time) - 0.3 * crouch;
+      upper.position.z = -0.12 * crouch;
+      upper.scale.y = 1 - 0.14 * crouch;
+      head.position.y = 1.41 - 0.2 * crouch;
+      upper.rotation.x = 0.09 * swing + 0.12 * crouch;
       upper.rotation.y = 0.07 * swing * Math.sin(phase);
-      head.rotation.x = -0.07 * swing;
+      head.rotation.x = -0.07 * swing - 0.1 * crouch;
     },
   };
 }

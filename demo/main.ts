@@ -1,16 +1,20 @@
 import { MathUtils, PerspectiveCamera, Scene, Timer, Vector3, WebGLRenderer } from 'three';
 import {
+  AxisResponse,
   CharacterController,
   CharacterControls,
   CubeCollider,
   DEFAULTS,
+  SlideResponse,
 } from 'three-cube-collider';
 import { CubeColliderHelper } from 'three-cube-collider/helpers';
 import { createAvatar } from './avatar.js';
 import { addLighting, type Lighting } from './lighting.js';
+import { GroundSpeed } from './GroundSpeed.js';
 import { loadLevel } from './loadLevel.js';
+import { createMovers, type Movers } from './movers.js';
 import { element, onReducedMotion } from './page.js';
-import { createPanel, type Settings } from './panel.js';
+import { type Change, createPanel, type Settings } from './panel.js';
 import { DEFAULT_LEVEL, readParameters } from './parameters.js';
 import { Quality } from './Quality.js';
 import { Readout } from './Readout.js';
@@ -19,7 +23,6 @@ import { StartScreen } from './StartScreen.js';
 /** Below this the character has fallen into the pit, metres. */
 const ABYSS = -8;
 
-const { radius, height } = DEFAULTS.character;
 const parameters = readParameters(location.search);
 
 function start(screen: StartScreen) {
@@ -34,9 +37,10 @@ function start(screen: StartScreen) {
   const settings: Settings = {
     view: parameters.view,
     output: parameters.output,
+    response: parameters.response,
     resolution: parameters.resolution,
+    supersample: DEFAULTS.collider.supersample,
     readback: DEFAULTS.collider.readback,
-    far: DEFAULTS.collider.far,
     helper: parameters.helper,
   };
   let collider = createCollider(settings);
@@ -47,25 +51,35 @@ function start(screen: StartScreen) {
   const timer = new Timer();
   timer.connect(document);
   const spawn = new Vector3();
+  const groundSpeed = new GroundSpeed();
   let lighting: Lighting | null = null;
+  let movers: Movers | null = null;
 
   function createCharacter(): CharacterController<WebGLRenderer, Scene> {
-    return new CharacterController(collider, { radius, height, avatar: avatar.object });
+    const made = new CharacterController<WebGLRenderer, Scene>(collider, {
+      avatar: avatar.object,
+      respawnBelow: ABYSS,
+      response: createResponse(settings),
+    });
+    // It went back to its last teleport, which a change of settings makes too: the start is meant.
+    made.addEventListener('respawn', () => made.teleport(spawn));
+    return made;
   }
 
   /** One turn of the loop. */
   function frame(delta: number): void {
+    movers?.update(delta, character.squeezed);
     controls.update(delta);
     character.update(renderer, scene, delta);
-    if (character.position.y < ABYSS) character.teleport(spawn);
     controls.follow(delta);
 
     lighting?.update(character.position);
     avatar.animate(
       delta,
-      Math.hypot(character.velocity.x, character.velocity.z),
+      groundSpeed.update(character, delta),
       // While it waits for surfaces it stands still, whatever is below.
       character.grounded || !character.ready,
+      character.crouched,
     );
 
     renderer.render(scene, camera);
@@ -94,11 +108,12 @@ function start(screen: StartScreen) {
     old.collider.dispose();
   }
 
-  function apply(what: 'view' | 'helper' | 'collider'): void {
+  function apply(what: Change): void {
     controls.view = settings.view;
     helper.visible = settings.helper;
     document.body.classList.toggle('helper', settings.helper);
     if (what === 'collider') exchangeCollider();
+    if (what === 'response') character.response = createResponse(settings);
     panel?.refresh();
     // A choice in the panel leaves the keys to the walk again.
     if (document.activeElement instanceof HTMLSelectElement) canvas.focus({ preventScroll: true });
@@ -109,6 +124,10 @@ function start(screen: StartScreen) {
     screen.preparing();
     lighting = addLighting(scene, renderer);
     scene.add(level.root);
+    if (parameters.level === DEFAULT_LEVEL) {
+      movers = createMovers(level.root);
+      scene.add(movers.root);
+    }
     spawn.copy(level.spawn.position);
     character.teleport(spawn);
     controls.yaw = level.spawn.yaw;
@@ -195,6 +214,9 @@ function start(screen: StartScreen) {
     get character() {
       return character;
     },
+    get movers() {
+      return movers;
+    },
     /** Stops the loop and goes on by hand: `frames` of `delta` seconds each, alike on every machine. */
     async step(frames: number, delta = 1 / 60): Promise<void> {
       renderer.setAnimationLoop(null);
@@ -207,10 +229,14 @@ function start(screen: StartScreen) {
   };
 }
 
-function createCollider({ output, resolution, readback, far }: Settings): CubeCollider {
+function createCollider({ output, resolution, supersample, readback }: Settings): CubeCollider {
   return output === 'axis'
-    ? new CubeCollider({ output, resolution, rMin: radius / 2, rMax: radius })
-    : new CubeCollider({ output, resolution, readback, far });
+    ? new CubeCollider({ output, resolution, rMax: DEFAULTS.character.radius })
+    : new CubeCollider({ resolution, supersample, readback });
+}
+
+function createResponse({ output, response }: Settings): SlideResponse | AxisResponse {
+  return output === 'axis' || response === 'axis' ? new AxisResponse() : new SlideResponse();
 }
 
 /** 70° high; on an upright phone at least 50° wide. */

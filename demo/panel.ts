@@ -5,43 +5,47 @@ import { RESOLUTIONS } from './parameters.js';
 export interface Settings {
   view: 'first' | 'third';
   output: 'axis' | 'surface';
+  response: 'slide' | 'axis';
   resolution: number;
+  supersample: 1 | 2 | 4;
   readback: 'async' | 'sync';
-  /** Reach of surfaces, metres. */
-  far: number;
   helper: boolean;
 }
+
+/** What a change of the settings asks for: another response, or another collider. */
+export type Change = 'view' | 'helper' | 'response' | 'collider';
 
 export interface Panel {
   /** Shows what was changed elsewhere, by a key. */
   refresh(): void;
 }
 
-/** @param changed called after `settings` were; `collider` if a new collider is needed for it */
-export function createPanel(
-  settings: Settings,
-  changed: (what: 'view' | 'helper' | 'collider') => void,
-): Panel {
+/** @param changed called after `settings` were */
+export function createPanel(settings: Settings, changed: (what: Change) => void): Panel {
   const gui = new GUI({ title: 'Collider' });
   gui.domElement.setAttribute('role', 'group');
   gui.domElement.setAttribute('aria-label', 'Settings');
   gui
     .add(settings, 'view', { 'first person': 'first', 'third person': 'third' })
     .onChange(() => changed('view'));
-  gui.add(settings, 'output', { 'axis (paper)': 'axis', surface: 'surface' }).onChange(() => {
+  gui.add(settings, 'output', { surface: 'surface', 'axis (paper)': 'axis' }).onChange(() => {
     showFitting();
     changed('collider');
   });
+  const response = gui
+    .add(settings, 'response', { slide: 'slide', 'axis (paper)': 'axis' })
+    .onChange(() => changed('response'));
   gui.add(settings, 'resolution', RESOLUTIONS).onChange(() => changed('collider'));
   const surfaceOnly = [
+    response,
+    gui
+      .add(settings, 'supersample', { no: 1, twice: 2, '4 times': 4 })
+      .name('drawn finer')
+      .onChange(() => changed('collider')),
     gui
       .add(settings, 'readback', ['async', 'sync'])
       .name('read-back')
       .onChange(() => changed('collider')),
-    gui
-      .add(settings, 'far', 0.8, 4, 0.1)
-      .name('reach (m)')
-      .onFinishChange(() => changed('collider')),
   ];
   gui
     .add(settings, 'helper')

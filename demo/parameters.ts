@@ -1,4 +1,4 @@
-/** What the page's address asks for: `?view=third&output=surface&helper=1`. */
+/** What the page's address asks for: `?view=third&response=axis&helper=1`. */
 export interface Parameters {
   /** Address of the level. */
   level: string;
@@ -6,6 +6,8 @@ export interface Parameters {
   /** Texels per face edge. */
   resolution: number;
   output: 'axis' | 'surface';
+  /** What becomes of contacts: 'axis' is the paper's way, and all there is for the output of that name. */
+  response: 'slide' | 'axis';
   /** Shows what the collider sees. */
   helper: boolean;
   /** False hides everything but the picture. */
@@ -23,11 +25,13 @@ export const RESOLUTIONS = [8, 16, 32, 64];
 export function readParameters(search: string): Parameters {
   const query = new URLSearchParams(search);
   const resolution = Number(query.get('resolution'));
+  const output = query.get('output') === 'axis' ? 'axis' : 'surface';
   return {
     level: query.get('level') ?? DEFAULT_LEVEL,
     view: query.get('view') === 'third' ? 'third' : 'first',
     resolution: RESOLUTIONS.includes(resolution) ? resolution : 32,
-    output: query.get('output') === 'surface' ? 'surface' : 'axis',
+    output,
+    response: output === 'axis' || query.get('response') === 'axis' ? 'axis' : 'slide',
     helper: query.get('helper') === '1',
     ui: query.get('ui') !== '0',
     adaptive: !query.has('dpr') && query.get('ui') !== '0',
