@@ -15,6 +15,7 @@ it('the defaults in README should be the package’s', () => {
   for (const key of [
     'output',
     'resolution',
+    'supersample',
     'far',
     'readback',
     'sides',
