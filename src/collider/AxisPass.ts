@@ -1,6 +1,6 @@
 import {
   BufferGeometry,
-  Camera,
+  OrthographicCamera,
   Float32BufferAttribute,
   Mesh,
   NoBlending,
@@ -79,7 +79,7 @@ export class AxisPass {
   readonly #columnsMaterial: ShaderMaterial;
   readonly #triangle: Mesh<BufferGeometry, ShaderMaterial>;
   readonly #scene = new PrivateScene();
-  readonly #camera = new Camera();
+  readonly #camera = new OrthographicCamera();
   readonly #resolution: number;
 
   constructor(resolution: number, atlas: Texture) {

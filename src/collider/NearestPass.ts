@@ -1,6 +1,6 @@
 import {
   BufferGeometry,
-  Camera,
+  OrthographicCamera,
   Float32BufferAttribute,
   GLSL3,
   Mesh,
@@ -67,7 +67,7 @@ export class NearestPass {
   readonly result: WebGLRenderTarget;
   readonly #triangle: Mesh<BufferGeometry, ShaderMaterial>;
   readonly #scene = new PrivateScene();
-  readonly #camera = new Camera();
+  readonly #camera = new OrthographicCamera();
 
   /** @param finer the atlas drawn at `supersample` times `resolution` texels per face edge */
   constructor(
