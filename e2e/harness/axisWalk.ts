@@ -1,5 +1,10 @@
 import { BoxGeometry, Mesh, MeshStandardMaterial, Scene, Vector3, WebGLRenderer } from 'three';
-import { CharacterController, CubeCollider, type CubeColliderOptions } from 'three-cube-collider';
+import {
+  AxisResponse,
+  CharacterController,
+  CubeCollider,
+  type CubeColliderOptions,
+} from 'three-cube-collider';
 
 const RADIUS = 0.5;
 
@@ -29,7 +34,10 @@ export default async function axisWalk({
   box(-1, -1, -8, 1, high, -3);
 
   const collider = new CubeCollider({ rMin: RADIUS / 2, rMax: RADIUS, ...options });
-  const character = new CharacterController(collider, { radius: RADIUS });
+  const character = new CharacterController(collider, {
+    radius: RADIUS,
+    response: new AxisResponse(),
+  });
   const walk = new Vector3();
   const frame = async () => {
     character.update(renderer, scene, 1 / rate);
