@@ -9,13 +9,10 @@ import {
 } from 'three';
 import type { ContactSet } from '../field/ContactSet.js';
 import type { FieldMemory } from '../field/FieldMemory.js';
-import type { SlideLimits, SlideResponse } from '../response/SlideResponse.js';
+import { type SlideLimits, type SlideResponse, TOUCH } from '../response/SlideResponse.js';
 import type { CharacterEventMap } from './characterEvents.js';
 import type { CharacterState } from './CharacterState.js';
 import { Contact } from './Contact.js';
-
-/** Touching is within this of the skin, metres. */
-const TOUCH = 0.005;
 
 /** What the body touches and stands on, and the events that tell of it. */
 export class ContactList {

@@ -1,9 +1,7 @@
 import type { Vector3 } from 'three';
 import type { ContactSet } from '../field/ContactSet.js';
-import type { SlideLimits, SlideResponse } from '../response/SlideResponse.js';
+import { type SlideLimits, type SlideResponse, TOUCH } from '../response/SlideResponse.js';
 
-/** Touching is within this of the skin, metres. */
-const TOUCH = 0.005;
 /** What is this much nearer than the skin is run into, metres. */
 const INTO = 0.001;
 /** Rounds in which contacts take their parts out of a velocity. */

@@ -23,7 +23,7 @@ const MOST_LOOKS = 40;
 /** A way shorter than this is none, metres. */
 const NOTHING = 1e-6;
 /** What is touched, and what a support is taken for, beyond the skin, metres. */
-const TOUCH = 0.005;
+export const TOUCH = 0.005;
 /** A gap this little short of the skin is the skin, metres. */
 const CLOSE = 1e-4;
 /** A way along a wall shorter than this part of the wish is not made: pressing on, one stands. */
