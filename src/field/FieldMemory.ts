@@ -1,26 +1,27 @@
 import type { Quaternion } from 'three';
-import type { Capsule } from './Capsule.js';
 import { directionTexel } from '../cube/texelDirections.js';
 import { isKnownFree } from './knownFree.js';
-import { STRIDE, Surfels } from './Surfels.js';
+import { isSeenAgain } from './seenAgain.js';
+import { Surfels } from './Surfels.js';
 import type { SurfaceField } from './SurfaceField.js';
 
 /** Fields kept: what the newest cannot see any more, an older one may have seen. */
 const KEPT = 3;
-/** Surfels are gathered this much farther than asked for, so that it need not be done anew at every move, metres. */
-const SPARE = 0.15;
-
 /** An older field drawn this near to a new one is of no more use, metres. */
 const SAME_PLACE = 0.05;
 
-/** The surfels near the body, of one kept field. */
-export interface NearSurfels {
+/** Of a block of an older field: not asked yet, has surfels of its own, or has none. */
+const UNKNOWN = 0;
+const OWN = 1;
+const NONE = 2;
+
+/** One kept field. */
+export interface KeptField {
   readonly surfels: Surfels;
-  /** Their numbers. */
-  readonly near: Int32Array;
-  nearCount: number;
-  /** Version of `surfels` when they were gathered. */
-  version: number;
+  /** By a surfel's number: 1 where a newer field shows it again, so that it is passed over here. */
+  readonly again: Uint8Array;
+  /** What is known of each block of them, see `UNKNOWN`. */
+  readonly blocks: Uint8Array;
   /** For `findContacts`: distance of each from the body's axis, by its number; Infinity where not looked at. */
   readonly distance: Float32Array;
 }
@@ -30,15 +31,10 @@ export interface NearSurfels {
  */
 export class FieldMemory {
   /** Newest first. */
-  readonly kept: NearSurfels[] = [];
+  readonly kept: KeptField[] = [];
   /** Grows whenever what is known changes. */
   revision = 0;
-  readonly #spare: NearSurfels[] = [];
-  #x = NaN;
-  #y = NaN;
-  #z = NaN;
-  #height = 0;
-  #reach = 0;
+  readonly #spare: KeptField[] = [];
 
   /** @param toBody turns world axes into the body's */
   constructor(readonly toBody: Quaternion) {}
@@ -52,16 +48,21 @@ export class FieldMemory {
     if (this.newest?.serial === field.serial && this.newest.time === field.time) return false;
     if (this.newest !== null && this.newest.resolution !== field.resolution) this.forget();
     let slot = this.kept.length < KEPT ? this.#spare.pop() : this.kept.pop();
-    if (slot?.surfels.resolution !== field.resolution) slot = nearSurfels(field.resolution);
+    if (slot?.surfels.resolution !== field.resolution) slot = keptField(field.resolution);
     slot.surfels.fill(field, this.toBody);
+    slot.again.fill(0);
+    slot.blocks.fill(UNKNOWN);
     // What was seen from here before is seen again.
     for (let k = this.kept.length - 1; k >= 0; k--) {
       if (this.kept[k]!.surfels.center.distanceTo(field.center) > SAME_PLACE) continue;
       this.#spare.push(...this.kept.splice(k, 1));
     }
+    // What nothing so far shows again, the newest may.
+    for (const { blocks } of this.kept) {
+      for (let b = 0; b < blocks.length; b++) if (blocks[b] === OWN) blocks[b] = UNKNOWN;
+    }
     this.kept.unshift(slot);
     this.revision++;
-    this.#x = NaN;
     return true;
   }
 
@@ -88,25 +89,29 @@ export class FieldMemory {
   }
 
   /**
-   * Sees to it that `near` holds every surfel within `reach` of the capsule, metres beyond its radius.
+   * Does block `b` of kept field `k` have surfels that no newer field shows again? Marks the others in `again`; asked
+   * once a new field. Only of blocks of interest: most are not.
    */
-  gather(capsule: Capsule, reach: number): void {
-    let fresh = reach <= this.#reach && capsule.height <= this.#height;
-    if (fresh) {
-      const dx = capsule.x - this.#x;
-      const dy = capsule.y - this.#y;
-      const dz = capsule.z - this.#z;
-      const moved = Math.sqrt(dx * dx + dy * dy + dz * dz);
-      fresh = moved + reach <= this.#reach + 1e-9;
+  hasOwn(k: number, b: number): boolean {
+    if (k === 0) return true;
+    const { surfels, again, blocks } = this.kept[k]!;
+    if (blocks[b] === UNKNOWN) {
+      blocks[b] = NONE;
+      for (let i = surfels.first[b]!; i < surfels.first[b + 1]!; i++) {
+        if (again[i] === 1) continue;
+        if (this.#isSeenAgain(k, i)) again[i] = 1;
+        else blocks[b] = OWN;
+      }
     }
-    for (const each of this.kept) if (each.version !== each.surfels.version) fresh = false;
-    if (fresh) return;
-    this.#x = capsule.x;
-    this.#y = capsule.y;
-    this.#z = capsule.z;
-    this.#height = capsule.height;
-    this.#reach = reach + SPARE;
-    for (const each of this.kept) gatherNear(each, capsule, this.#reach);
+    return blocks[b] === OWN;
+  }
+
+  #isSeenAgain(k: number, i: number): boolean {
+    const { surfels } = this.kept[k]!;
+    for (let newer = 0; newer < k; newer++) {
+      if (isSeenAgain(this.kept[newer]!.surfels, surfels, i, this.toBody)) return true;
+    }
+    return false;
   }
 
   /**
@@ -162,35 +167,13 @@ export class FieldMemory {
 
 const way = /* @__PURE__ */ new Float64Array(3);
 
-function nearSurfels(resolution: number): NearSurfels {
+function keptField(resolution: number): KeptField {
   const surfels = new Surfels(resolution);
   const count = 6 * resolution * resolution;
   return {
     surfels,
-    near: new Int32Array(count),
-    nearCount: 0,
-    version: -1,
+    again: new Uint8Array(count),
+    blocks: new Uint8Array(surfels.first.length - 1),
     distance: new Float32Array(count).fill(Infinity),
   };
-}
-
-function gatherNear(target: NearSurfels, capsule: Capsule, reach: number): void {
-  const { surfels, near } = target;
-  const { data, count, extent, origin } = surfels;
-  const x = capsule.x - origin.x;
-  const z = capsule.z - origin.z;
-  const low = capsule.y + capsule.radius - origin.y;
-  const high = Math.max(low, capsule.y + capsule.height - capsule.radius - origin.y);
-  const reached = capsule.radius + reach;
-  let n = 0;
-  for (let i = 0, o = 0; i < count; i++, o += STRIDE) {
-    const dx = data[o]! - x;
-    const dz = data[o + 2]! - z;
-    const y = data[o + 1]!;
-    const dy = y < low ? low - y : y > high ? y - high : 0;
-    const within = reached + extent[i]!;
-    if (dx * dx + dy * dy + dz * dz < within * within) near[n++] = i;
-  }
-  target.nearCount = n;
-  target.version = surfels.version;
 }

@@ -1,6 +1,8 @@
 import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
 import { FACES } from '../cube/faces.js';
+import { blocksOf } from './blocks.js';
 import { neighbours, SIDES } from './neighbours.js';
+import { ENDS, GOES_ON, MIXED, PIECE } from './pieces.js';
 import type { SurfaceField } from './SurfaceField.js';
 import { APART, COPLANAR_LINK, CREASE, findExtents, meeting, type Extents } from './extents.js';
 
@@ -20,6 +22,9 @@ export const CORNERS = 12;
 const LEAST_SLANT = 0.06;
 /** Where surfels go that no longer hold, metres. */
 const AWAY = 1e6;
+/** A block's surfels lie in one plane if their normals are closer than this (0.8°) and none is farther off, metres. */
+const SAME_NORMAL = 0.9999;
+const SAME_PLANE = 1e-4;
 /** What of a surfel moves with its object. */
 const MOVING = 12;
 
@@ -37,12 +42,17 @@ export class Surfels {
   count = 0;
   /** `STRIDE` numbers each, metres, body's frame, relative to `origin`. */
   readonly data: Float32Array;
-  /** Farthest corner from the surfel's point, metres. */
-  readonly extent: Float32Array;
+  /**
+   * What tells surfels apart without a closer look, see `PIECE`: the extent is that of the farthest corner, and the plane
+   * goes on where all four sides do.
+   */
+  readonly piece: Float32Array;
+  /** The same of blocks of surfels, which are numbered block by block. */
+  readonly block: Float32Array;
+  /** Number of each block's first surfel, and behind the last block's last. */
+  readonly first: Int32Array;
   /** For each of `SIDES` sides the number of the surfel that goes on there, or -1. */
   readonly link: Int32Array;
-  /** 1 where all sides go on in the same plane: it is met on its border only where a neighbour is met before. */
-  readonly whole: Uint8Array;
   /** As in the field: 1 + place in `objects`, or 0. */
   readonly object: Uint16Array;
   readonly instance: Uint32Array;
@@ -64,8 +74,6 @@ export class Surfels {
   readonly poses: Matrix4[] = [];
   /** 1 for each object that has moved since it was drawn; its place is its number in `object`. */
   readonly moved: Uint8Array = new Uint8Array(65536);
-  /** Grows with every change of `data`. */
-  version = 0;
 
   /** Surfels as drawn, before any was carried. */
   readonly #drawn: Float32Array;
@@ -79,9 +87,11 @@ export class Surfels {
     const count = 6 * resolution * resolution;
     this.data = new Float32Array(STRIDE * count);
     this.#drawn = new Float32Array(MOVING * count);
-    this.extent = new Float32Array(count);
+    this.piece = new Float32Array(PIECE * count);
+    const blocks = blocksOf(resolution);
+    this.block = new Float32Array(PIECE * blocks.count);
+    this.first = new Int32Array(blocks.count + 1);
     this.link = new Int32Array(SIDES * count);
-    this.whole = new Uint8Array(count);
     this.object = new Uint16Array(count);
     this.instance = new Uint32Array(count);
     this.distance = new Float32Array(count);
@@ -105,7 +115,6 @@ export class Surfels {
     this.far = field.far;
     this.time = field.time;
     this.serial = field.serial;
-    this.version++;
     this.moved.fill(0, 0, this.objects.length + 1);
     this.moved.fill(0, 0, field.objects.length + 1);
     this.objects.length = 0;
@@ -119,8 +128,11 @@ export class Surfels {
     up.set(0, 1, 0).applyQuaternion(toWorld.copy(toBody).conjugate());
     findExtents(field, table, up, this.#extents);
     const { data, link, ofTexel } = this;
+    const blocks = blocksOf(resolution);
     let n = 0;
-    for (let texel = 0; texel < count; texel++) {
+    for (let a = 0, b = 0; a < count; a++) {
+      if (blocks.first[b] === a) this.first[b++] = n;
+      const texel = blocks.texels[a]!;
       const k = 3 * texel;
       const slant =
         normal[k]! * direction[k]! +
@@ -128,7 +140,7 @@ export class Surfels {
         normal[k + 2]! * direction[k + 2]!;
       ofTexel[texel] = distance[texel]! < Infinity && slant < -LEAST_SLANT ? n++ : -1;
     }
-    this.count = n;
+    this.count = this.first[blocks.count] = n;
     const turn = toBody.w !== 1;
     for (let texel = 0; texel < count; texel++) {
       const i = ofTexel[texel]!;
@@ -145,18 +157,21 @@ export class Surfels {
       tangents(data, o);
       this.#setCorners(i, texel, o, field, table);
       if (turn) for (let v = 0; v < 12; v += 3) rotate(data, o + v, toBody);
-      this.whole[i] = 1;
+      let kind = GOES_ON;
       for (let side = 0; side < SIDES; side++) {
-        const kind = this.#extents.link[SIDES * texel + side]!;
-        link[SIDES * i + side] = kind === APART ? -1 : ofTexel[table[SIDES * texel + side]!]!;
-        if (kind !== COPLANAR_LINK) this.whole[i] = 0;
+        const goes = this.#extents.link[SIDES * texel + side]!;
+        link[SIDES * i + side] = goes === APART ? -1 : ofTexel[table[SIDES * texel + side]!]!;
+        if (goes !== COPLANAR_LINK) kind = ENDS;
       }
+      this.piece[PIECE * i + 7] = kind;
       this.object[i] = field.object[texel]!;
       this.instance[i] = field.instance[texel]!;
     }
     for (let i = 0; i < n; i++) {
       for (let v = 0; v < MOVING; v++) this.#drawn[MOVING * i + v] = data[STRIDE * i + v]!;
+      this.#setPiece(i);
     }
+    for (let b = 0; b < blocks.count; b++) this.#bound(b);
     return this;
   }
 
@@ -173,13 +188,14 @@ export class Surfels {
   carry(id: number, toBody: Quaternion, now = this.objects[id - 1]!.matrixWorld): boolean {
     this.poses[id - 1]!.copy(now);
     this.moved[id] = 1;
-    this.version++;
     since
       .copy(this.#drawnPoses[id - 1]!)
       .invert()
       .premultiply(now);
     if (!isRigid(since)) {
-      for (let i = 0; i < this.count; i++) if (this.object[i] === id) this.data[STRIDE * i] = AWAY;
+      for (let i = 0; i < this.count; i++) {
+        if (this.object[i] === id) this.piece[PIECE * i] = this.data[STRIDE * i] = AWAY;
+      }
       return false;
     }
     const { data, count, object } = this;
@@ -198,7 +214,7 @@ export class Surfels {
     for (let i = 0; i < count; i++) {
       if (object[i] !== id) continue;
       // Its neighbours may be another object's, and stay behind.
-      this.whole[i] = 0;
+      this.piece[PIECE * i + 7] = ENDS;
       for (let o = STRIDE * i, w = MOVING * i, v = 0; v < MOVING; v += 3, o += 3, w += 3) {
         const x = drawn[w]!;
         const y = drawn[w + 1]!;
@@ -208,8 +224,69 @@ export class Surfels {
         data[o + 1] = e[1]! * x + e[5]! * y + e[9]! * z + t * ty;
         data[o + 2] = e[2]! * x + e[6]! * y + e[10]! * z + t * tz;
       }
+      this.#setPiece(i);
+    }
+    for (let b = 0; b < this.first.length - 1; b++) {
+      for (let i = this.first[b]!; i < this.first[b + 1]!; i++) {
+        if (object[i] !== id) continue;
+        this.#bound(b);
+        break;
+      }
     }
     return true;
+  }
+
+  #setPiece(i: number): void {
+    const { data, piece } = this;
+    for (let v = 0; v < 3; v++) {
+      piece[PIECE * i + v] = data[STRIDE * i + v]!;
+      piece[PIECE * i + 4 + v] = data[STRIDE * i + 3 + v]!;
+    }
+  }
+
+  /** Finds what tells block `b` apart. */
+  #bound(b: number): void {
+    const { block, first, piece } = this;
+    const from = first[b]!;
+    const to = first[b + 1]!;
+    let x = 0;
+    let y = 0;
+    let z = 0;
+    let n = 0;
+    for (let p = PIECE * from; p < PIECE * to; p += PIECE) {
+      if (piece[p] === AWAY) continue;
+      x += piece[p]!;
+      y += piece[p + 1]!;
+      z += piece[p + 2]!;
+      n++;
+    }
+    x = n > 0 ? x / n : AWAY;
+    y /= Math.max(1, n);
+    z /= Math.max(1, n);
+    let extent = 0;
+    let kind = GOES_ON;
+    const nx = piece[PIECE * from + 4]!;
+    const ny = piece[PIECE * from + 5]!;
+    const nz = piece[PIECE * from + 6]!;
+    for (let p = PIECE * from; p < PIECE * to; p += PIECE) {
+      if (piece[p] === AWAY) continue;
+      const dx = piece[p]! - x;
+      const dy = piece[p + 1]! - y;
+      const dz = piece[p + 2]! - z;
+      extent = Math.max(extent, Math.sqrt(dx * dx + dy * dy + dz * dz) + piece[p + 3]!);
+      const alike = nx * piece[p + 4]! + ny * piece[p + 5]! + nz * piece[p + 6]!;
+      const off = Math.abs(nx * dx + ny * dy + nz * dz);
+      if (piece[p + 7] !== GOES_ON || alike < SAME_NORMAL || off > SAME_PLANE) kind = MIXED;
+    }
+    const o = PIECE * b;
+    block[o] = x;
+    block[o + 1] = y;
+    block[o + 2] = z;
+    block[o + 3] = extent;
+    block[o + 4] = nx;
+    block[o + 5] = ny;
+    block[o + 6] = nz;
+    block[o + 7] = kind;
   }
 
   /**
@@ -281,7 +358,7 @@ export class Surfels {
       extent = Math.max(extent, along * along + across * across);
     }
     data[o + CORNERS] = corners;
-    this.extent[i] = Math.sqrt(extent);
+    this.piece[PIECE * i + 3] = Math.sqrt(extent);
   }
 
   /** Cuts `#polygon`, in the plane of the surfel at `o`, along the plane of texel `j`. */

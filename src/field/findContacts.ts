@@ -1,9 +1,10 @@
 import type { Capsule } from './Capsule.js';
 import { ContactSet } from './ContactSet.js';
-import type { FieldMemory, NearSurfels } from './FieldMemory.js';
-import { axis, nearest, surfelDistance } from './surfelDistance.js';
+import type { FieldMemory, KeptField } from './FieldMemory.js';
 import { SIDES } from './neighbours.js';
-import { STRIDE, type Surfels } from './Surfels.js';
+import { axis, isOutOfReach, PIECE } from './pieces.js';
+import { nearest, surfelDistance } from './surfelDistance.js';
+import { STRIDE } from './Surfels.js';
 
 /** Normals closer than this (1.8°) count as one. */
 const SAME_NORMAL = 0.9995;
@@ -15,10 +16,9 @@ const NEARER = 1e-4;
 /** Nearest points found in the first pass: x, y, z and whether on the border each. */
 let found = new Float64Array(4 * 512);
 let foundSurfel = new Int32Array(512);
-/** Surfels whose distance was only estimated, from below: it is kept as a negative number. */
-let skipped = new Int32Array(512);
-/** How far beside a plane's surfel, in its extents, its nearest point must lie to be some neighbour's for sure. */
-const ASIDE = 1.5;
+/** Surfels whose distance is noted. */
+let noted = new Int32Array(512);
+let notes = 0;
 
 /**
  * The contacts of a capsule with whatever lies within `reach` of it.
@@ -36,82 +36,60 @@ export function findContacts(
   reach: number,
   target: ContactSet,
 ): ContactSet {
-  memory.gather(capsule, reach);
   target.count = 0;
   for (let k = 0; k < memory.kept.length; k++) {
-    findIn(memory.kept[k]!, k, capsule, reach, target);
+    findIn(memory, k, capsule, reach, target);
   }
   return target;
 }
 
 function findIn(
-  { surfels, near, nearCount, distance }: NearSurfels,
+  memory: FieldMemory,
   kept: number,
   capsule: Capsule,
   reach: number,
   target: ContactSet,
 ): void {
-  const { data, extent, origin, whole } = surfels;
+  const field = memory.kept[kept]!;
+  const { surfels, again, distance } = field;
+  const { block, data, first, origin, piece } = surfels;
   const x = capsule.x - origin.x;
   const z = capsule.z - origin.z;
   const low = capsule.y + capsule.radius - origin.y;
   const high = Math.max(low, capsule.y + capsule.height - capsule.radius - origin.y);
   const reached = capsule.radius + reach;
-  if (foundSurfel.length < nearCount) {
-    found = new Float64Array(4 * nearCount);
-    foundSurfel = new Int32Array(nearCount);
-    skipped = new Int32Array(nearCount);
-  }
-
   axis[0] = x;
   axis[1] = z;
   axis[2] = low;
   axis[3] = high;
+  axis[4] = reached;
+  if (foundSurfel.length < surfels.count) {
+    found = new Float64Array(4 * surfels.count);
+    foundSurfel = new Int32Array(surfels.count);
+    noted = new Int32Array(surfels.count);
+  }
+  notes = 0;
   let n = 0;
-  let skips = 0;
-  for (let a = 0; a < nearCount; a++) {
-    const i = near[a]!;
-    const o = STRIDE * i;
-    const dx = data[o]! - x;
-    const dz = data[o + 2]! - z;
-    const py = data[o + 1]!;
-    const dy = py < low ? low - py : py > high ? high - py : 0;
-    const within = reached + extent[i]!;
-    if (dx * dx + dy * dy + dz * dz >= within * within) continue;
-    // The plane is never farther than the surfel.
-    const level = -dx * data[o + 3]! - dz * data[o + 5]!;
-    const up = data[o + 4]!;
-    const atLow = level + up * (low - py);
-    const atHigh = level + up * (high - py);
-    if (Math.min(atLow, atHigh) >= reached || Math.max(atLow, atHigh) <= -reached) continue;
-    if (whole[i] === 1) {
-      // In the midst of a plane only the surfel under the nearest point of the axis counts.
-      const height = level + up * dy;
-      const aside = dx * dx + dy * dy + dz * dz - height * height;
-      const beyond = Math.sqrt(Math.max(0, aside)) - extent[i]!;
-      if (beyond > ASIDE * extent[i]!) {
-        distance[i] = -Math.sqrt(height * height + beyond * beyond);
-        skipped[skips++] = i;
-        continue;
-      }
+  for (let b = 0; b < first.length - 1; b++) {
+    if (isOutOfReach(block, PIECE * b) || !memory.hasOwn(kept, b)) continue;
+    for (let i = first[b]!; i < first[b + 1]!; i++) {
+      if (again[i] === 1 || isOutOfReach(piece, PIECE * i)) continue;
+      note(field, i);
+      if (nearest[4]! >= reached) continue;
+      foundSurfel[n] = i;
+      found[4 * n] = nearest[0]!;
+      found[4 * n + 1] = nearest[1]!;
+      found[4 * n + 2] = nearest[2]!;
+      found[4 * n + 3] = nearest[5]!;
+      n++;
     }
-    surfelDistance(surfels, i);
-    const d = nearest[4]!;
-    if (d >= reached) continue;
-    distance[i] = d;
-    foundSurfel[n] = i;
-    found[4 * n] = nearest[0]!;
-    found[4 * n + 1] = nearest[1]!;
-    found[4 * n + 2] = nearest[2]!;
-    found[4 * n + 3] = nearest[5]!;
-    n++;
   }
 
   for (let a = 0; a < n; a++) {
     const i = foundSurfel[a]!;
     const onBorder = found[4 * a + 3] === 1;
     const d = distance[i]!;
-    if (onBorder && goesOnNearer(surfels, distance, i)) continue;
+    if (onBorder && goesOnNearer(field, i)) continue;
     const px = found[4 * a]!;
     const py = found[4 * a + 1]!;
     const pz = found[4 * a + 2]!;
@@ -140,23 +118,26 @@ function findIn(
     one[7] = up;
     add(target, kept, i);
   }
-  for (let a = 0; a < n; a++) distance[foundSurfel[a]!] = Infinity;
-  for (let a = 0; a < skips; a++) distance[skipped[a]!] = Infinity;
+  for (let a = 0; a < notes; a++) distance[noted[a]!] = Infinity;
+}
+
+/** Finds a surfel's distance and keeps it. */
+function note({ surfels, distance }: KeptField, i: number): void {
+  surfelDistance(surfels, i);
+  distance[i] = nearest[4]!;
+  noted[notes++] = i;
 }
 
 /** Does the surface come nearer to the body in a neighbour of surfel `i` that goes on where it ends? */
-function goesOnNearer(surfels: Surfels, distance: Float32Array, i: number): boolean {
+function goesOnNearer(field: KeptField, i: number): boolean {
+  const { surfels, distance } = field;
   const { link, moved, object } = surfels;
-  const d = distance[i]! - NEARER;
   for (let side = 0; side < SIDES; side++) {
     const j = link[SIDES * i + side]!;
     if (j < 0) continue;
-    if (distance[j]! < 0 && -distance[j]! < d) {
-      // Only estimated, from below.
-      surfelDistance(surfels, j);
-      distance[j] = nearest[4]!;
-    }
-    if (!(Math.abs(distance[j]!) < d)) continue;
+    // It may not have been of interest itself.
+    if (distance[j] === Infinity) note(field, j);
+    if (!(distance[j]! < distance[i]! - NEARER)) continue;
     // Moved apart, they are neighbours no more.
     const a = object[i]!;
     const b = object[j]!;

@@ -1,6 +1,9 @@
 import type { Capsule } from './Capsule.js';
 import type { FieldMemory } from './FieldMemory.js';
-import { STRIDE } from './Surfels.js';
+import { MIXED, PIECE } from './pieces.js';
+
+/** x, z and radius of an upright cylinder, its lower and upper end's y, and the least Y of the normals of interest. */
+const query = /* @__PURE__ */ new Float64Array(6);
 
 /**
  * Is there anything to step onto: a surfel no steeper than `slope`, higher above the foot than `low` and no higher than
@@ -16,27 +19,37 @@ export function hasTread(
   reach: number,
   slope: number,
 ): boolean {
-  memory.gather(capsule, reach);
   for (let k = 0; k < memory.kept.length; k++) {
-    const { surfels, near, nearCount } = memory.kept[k]!;
-    const { data, extent, origin } = surfels;
-    const x = capsule.x - origin.x;
-    const z = capsule.z - origin.z;
-    const foot = capsule.y - origin.y;
-    for (let a = 0; a < nearCount; a++) {
-      const i = near[a]!;
-      const o = STRIDE * i;
-      const ny = data[o + 4]!;
-      if (ny < slope) continue;
-      const y = data[o + 1]! - foot;
-      const e = extent[i]!;
-      const rise = e * Math.sqrt(Math.max(0, 1 - ny * ny));
-      if (y < low - rise || y > high + rise) continue;
-      const dx = data[o]! - x;
-      const dz = data[o + 2]! - z;
-      const within = capsule.radius + reach + e;
-      if (dx * dx + dz * dz < within * within) return true;
+    const { surfels, again } = memory.kept[k]!;
+    const { block, first, origin, piece } = surfels;
+    query[0] = capsule.x - origin.x;
+    query[1] = capsule.z - origin.z;
+    query[2] = capsule.radius + reach;
+    query[3] = capsule.y + low - origin.y;
+    query[4] = capsule.y + high - origin.y;
+    query[5] = slope;
+    for (let b = 0; b < first.length - 1; b++) {
+      if (!mayBeTread(block, PIECE * b) || !memory.hasOwn(k, b)) continue;
+      for (let i = first[b]!; i < first[b + 1]!; i++) {
+        if (again[i] === 0 && mayBeTread(piece, PIECE * i)) return true;
+      }
     }
   }
   return false;
+}
+
+function mayBeTread(piece: Float32Array, p: number): boolean {
+  const extent = piece[p + 3]!;
+  let rise = extent;
+  if (piece[p + 7] !== MIXED) {
+    const up = piece[p + 5]!;
+    if (up < query[5]!) return false;
+    rise *= Math.sqrt(Math.max(0, 1 - up * up));
+  }
+  const y = piece[p + 1]!;
+  if (y < query[3]! - rise || y > query[4]! + rise) return false;
+  const dx = piece[p]! - query[0]!;
+  const dz = piece[p + 2]! - query[1]!;
+  const within = query[2]! + extent;
+  return dx * dx + dz * dz < within * within;
 }

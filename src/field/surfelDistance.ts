@@ -1,11 +1,5 @@
+import { axis } from './pieces.js';
 import { CORNERS, STRIDE, type Surfels } from './Surfels.js';
-
-/**
- * The upright segment that `surfelDistance` measures from: x, z, then its lower and upper end's y, body's frame, metres,
- * relative to `Surfels.origin`. Set it before. (Numbers handed over as arguments would be wrapped in objects, thousands
- * a step.)
- */
-export const axis = /* @__PURE__ */ new Float64Array(4);
 
 /**
  * What `surfelDistance` found: the surfel's nearest point x, y, z, relative to `Surfels.origin`; the height of the

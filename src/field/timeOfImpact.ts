@@ -1,8 +1,9 @@
 import type { Object3D } from 'three';
 import type { Capsule } from './Capsule.js';
 import type { FieldMemory } from './FieldMemory.js';
-import { axis, nearest, surfelDistance } from './surfelDistance.js';
-import { STRIDE } from './Surfels.js';
+import { axis, GOES_ON, MIXED, PIECE } from './pieces.js';
+import { nearest, surfelDistance } from './surfelDistance.js';
+import type { Surfels } from './Surfels.js';
 
 /** A displacement, body's frame, metres. */
 export interface Way {
@@ -15,11 +16,11 @@ export interface Way {
 const ROUNDS = 12;
 /** As near as this to the wanted gap is there, metres. */
 const CLOSE = 1e-5;
-/** How far beside a plane's surfel, in its extents, a place must lie to be some neighbour's for sure. */
-const ASIDE = 2.5;
+/** How far beside a piece of a plane, in its extents, a place must lie to be some neighbour's for sure. */
+const ASIDE = 1.5;
 
-/** The axis relative to the surfel in question (x, z, lower and upper y), the way (x, y, z), the distance wanted. */
-const query = /* @__PURE__ */ new Float64Array(8);
+/** The axis before the way (x, z, lower and upper y), the way (x, y, z), the distance wanted, and what is passed over. */
+const query = /* @__PURE__ */ new Float64Array(9);
 
 /**
  * How much of a displacement the capsule can make until something is `gap` away from it: 0 to 1.
@@ -43,71 +44,71 @@ export function timeOfImpact(
   const { x, y, z } = way;
   const length = Math.sqrt(x * x + y * y + z * z);
   if (length === 0) return 1;
-  memory.gather(capsule, length + Math.max(0, gap));
   const { radius } = capsule;
-  const wanted = radius + gap;
-  const passed = radius + near;
   query[4] = x;
   query[5] = y;
   query[6] = z;
-  query[7] = wanted;
+  query[7] = radius + gap;
+  query[8] = radius + near;
   let best = 1;
   for (let k = 0; k < memory.kept.length; k++) {
-    const { surfels, near: numbers, nearCount } = memory.kept[k]!;
-    const { data, extent, object, origin, whole } = surfels;
+    const { surfels, again } = memory.kept[k]!;
+    const { block, first, object, origin, piece } = surfels;
     const id = only === null ? 0 : surfels.objects.indexOf(only) + 1;
     if (only !== null && id === 0) continue;
-    const cx = capsule.x - origin.x;
-    const cz = capsule.z - origin.z;
-    const low = capsule.y + radius - origin.y;
-    const high = Math.max(low, capsule.y + capsule.height - radius - origin.y);
-    for (let a = 0; a < nearCount; a++) {
-      const i = numbers[a]!;
-      if (id !== 0 && object[i] !== id) continue;
-      const o = STRIDE * i;
-      query[0] = cx - data[o]!;
-      query[1] = cz - data[o + 2]!;
-      query[2] = low - data[o + 1]!;
-      query[3] = high - data[o + 1]!;
-      if (neverNear(data, extent, i) || (whole[i] === 1 && metAside(data, extent, i))) continue;
-      let t = 0;
-      for (let round = 0; round < ROUNDS; round++) {
-        axis[0] = cx + t * x;
-        axis[1] = cz + t * z;
-        axis[2] = low + t * y;
-        axis[3] = high + t * y;
-        surfelDistance(surfels, i);
-        const d = nearest[4]!;
-        if (round === 0 && d <= passed) {
-          t = 1;
-          break;
-        }
-        const room = d - wanted;
-        const nx = axis[0] - nearest[0]!;
-        const ny = nearest[3]! - nearest[1]!;
-        const nz = axis[1] - nearest[2]!;
-        const approach = -(nx * x + ny * y + nz * z) / d;
-        if (approach <= 1e-9) {
-          t = 1;
-          break;
-        }
-        if (room < CLOSE) break;
-        t += room / approach;
-        if (t >= best) break;
+    query[0] = capsule.x - origin.x;
+    query[1] = capsule.z - origin.z;
+    query[2] = capsule.y + radius - origin.y;
+    query[3] = Math.max(query[2]!, capsule.y + capsule.height - radius - origin.y);
+    for (let b = 0; b < first.length - 1; b++) {
+      if (passesBy(block, PIECE * b) || !memory.hasOwn(k, b)) continue;
+      for (let i = first[b]!; i < first[b + 1]!; i++) {
+        if (again[i] === 1 || passesBy(piece, PIECE * i)) continue;
+        if (id !== 0 && object[i] !== id) continue;
+        best = impact(surfels, i, best);
       }
-      if (t < best) best = t;
     }
   }
   return best;
 }
 
+/** How much of the way can be made until surfel `i` is met, or `best` if that is less. */
+function impact(surfels: Surfels, i: number, best: number): number {
+  const x = query[4]!;
+  const y = query[5]!;
+  const z = query[6]!;
+  let t = 0;
+  for (let round = 0; round < ROUNDS; round++) {
+    axis[0] = query[0]! + t * x;
+    axis[1] = query[1]! + t * z;
+    axis[2] = query[2]! + t * y;
+    axis[3] = query[3]! + t * y;
+    surfelDistance(surfels, i);
+    const d = nearest[4]!;
+    if (round === 0 && d <= query[8]!) return best;
+    const room = d - query[7]!;
+    const nx = axis[0] - nearest[0]!;
+    const ny = nearest[3]! - nearest[1]!;
+    const nz = axis[1] - nearest[2]!;
+    const approach = -(nx * x + ny * y + nz * z) / d;
+    if (approach <= 1e-9) return best;
+    if (room < CLOSE) break;
+    t += room / approach;
+    if (t >= best) return best;
+  }
+  return t;
+}
+
 /**
- * Does a surfel stay farther than wanted from the axis all the way, by what is cheap to tell: by the distance of the
- * axis' way from its point, level and upright, and from its plane?
+ * Is it cheap to tell that a piece stays farther than wanted from the axis all the way, by the distance of the axis' way
+ * from its point, level and upright, or from its plane; or that a neighbour of it is met before?
  */
-function neverNear(data: Float32Array, extent: Float32Array, i: number): boolean {
-  const dx = query[0]!;
-  const dz = query[1]!;
+function passesBy(piece: Float32Array, p: number): boolean {
+  const dx = query[0]! - piece[p]!;
+  const dz = query[1]! - piece[p + 2]!;
+  const py = piece[p + 1]!;
+  const low = query[2]! - py;
+  const high = query[3]! - py;
   const x = query[4]!;
   const y = query[5]!;
   const z = query[6]!;
@@ -117,54 +118,49 @@ function neverNear(data: Float32Array, extent: Float32Array, i: number): boolean
   t = t < 0 ? 0 : t > 1 ? 1 : t;
   const ex = dx + t * x;
   const ez = dz + t * z;
-  const bottom = query[2]! + Math.min(0, y);
-  const top = query[3]! + Math.max(0, y);
+  const bottom = y < 0 ? low + y : low;
+  const top = y > 0 ? high + y : high;
   const ey = bottom > 0 ? bottom : top < 0 ? top : 0;
-  const within = wanted + extent[i]!;
+  const extent = piece[p + 3]!;
+  const within = wanted + extent;
   if (ex * ex + ey * ey + ez * ez >= within * within) return true;
-  const o = STRIDE * i + 3;
-  const nx = data[o]!;
-  const ny = data[o + 1]!;
-  const nz = data[o + 2]!;
+  const kind = piece[p + 7]!;
+  if (kind === MIXED) return false;
+  const nx = piece[p + 4]!;
+  const ny = piece[p + 5]!;
+  const nz = piece[p + 6]!;
   const base = nx * dx + nz * dz;
   const along = nx * x + ny * y + nz * z;
-  const a = base + ny * query[2]!;
-  const b = base + ny * query[3]!;
-  const least = Math.min(a, b) + Math.min(0, along);
-  const most = Math.max(a, b) + Math.max(0, along);
-  return least >= wanted || most <= -wanted;
-}
-
-/**
- * Does the axis come as near as wanted to the plane of a surfel, in the midst of that plane, so far beside it that the
- * impact is some neighbour's? Only where it begins farther away than that.
- */
-function metAside(data: Float32Array, extent: Float32Array, i: number): boolean {
-  const o = STRIDE * i + 3;
-  const nx = data[o]!;
-  const ny = data[o + 1]!;
-  const nz = data[o + 2]!;
-  const base = nx * query[0]! + nz * query[1]!;
-  const atLow = base + ny * query[2]!;
-  const atHigh = base + ny * query[3]!;
-  // Which end is nearer to the plane, if both are on one side?
-  if (atLow * atHigh <= 0) return false;
+  const atLow = base + ny * low;
+  const atHigh = base + ny * high;
   const lowFirst = Math.abs(atLow) <= Math.abs(atHigh);
   const start = lowFirst ? atLow : atHigh;
+  const less = along < 0 ? along : 0;
+  const more = along > 0 ? along : 0;
+  if (
+    atLow < atHigh
+      ? atLow + less >= wanted || atHigh + more <= -wanted
+      : atHigh + less >= wanted || atLow + more <= -wanted
+  )
+    return true;
+  // In the midst of a plane only what lies where the axis first comes as near as wanted counts, unless both ends lie on
+  // either side of it or it begins nearer.
+  if (kind !== GOES_ON || atLow * atHigh <= 0) return false;
   const side = start > 0 ? 1 : -1;
-  const room = side * start - query[7]!;
-  const approach = -side * (nx * query[4]! + ny * query[5]! + nz * query[6]!);
+  const room = side * start - wanted;
+  const approach = -side * along;
   if (room <= 0 || approach <= 0) return false;
-  const t = Math.min(1, room / approach);
-  const ex = query[0]! + t * query[4]!;
-  const ez = query[1]! + t * query[6]!;
-  const bottom = query[2]! + t * query[5]!;
-  const top = query[3]! + t * query[5]!;
+  const part = room < approach ? room / approach : 1;
+  const fx = dx + part * x;
+  const fz = dz + part * z;
+  const lowThen = low + part * y;
+  const highThen = high + part * y;
   // Upright walls are met at all heights at once.
-  const upright = Math.abs(ny) < 0.05;
-  const ey = upright ? (bottom > 0 ? bottom : top < 0 ? top : 0) : lowFirst ? bottom : top;
-  const height = nx * ex + ny * ey + nz * ez;
-  const aside = ex * ex + ey * ey + ez * ez - height * height;
-  const e = ASIDE * extent[i]!;
-  return aside > e * e;
+  const upright = ny < 0.05 && ny > -0.05;
+  const inside = lowThen > 0 ? lowThen : highThen < 0 ? highThen : 0;
+  const fy = upright ? inside : lowFirst ? lowThen : highThen;
+  const height = nx * fx + ny * fy + nz * fz;
+  const aside = fx * fx + fy * fy + fz * fz - height * height;
+  const border = ASIDE * extent;
+  return aside > border * border;
 }

@@ -1,6 +1,8 @@
 import { Euler, Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { FieldMemory } from '../../src/field/FieldMemory.js';
+import { SIDES } from '../../src/field/neighbours.js';
+import { axis, isOutOfReach, PIECE } from '../../src/field/pieces.js';
 import {
   capsuleAt,
   cornersOf,
@@ -8,9 +10,10 @@ import {
   drawn,
   polygonDistance,
   remembered,
+  unionDistance,
   UPRIGHT,
 } from '../support/fields.js';
-import { block, ground, wall } from '../support/world/scenes.js';
+import { block, Box, ground, wall } from '../support/world/scenes.js';
 import { randomWorld } from '../support/world/randomWorld.js';
 import { World } from '../support/world/World.js';
 
@@ -85,28 +88,97 @@ describe('FieldMemory', () => {
     expect(memory.newest!.resolution).toBe(16);
   });
 
-  it('should gather every surfel within reach of the body (seed 61)', () => {
+  it('should pass over in older fields what newer ones show again, and nothing else (seed 61)', () => {
     const between = dice(61);
-    const memory = remembered(
-      new World(ground(), wall(0.6), block([-0.8, 0, -0.3], [-0.5, 0.4, 0.3])),
-      EYE,
-    );
-    const { surfels, near } = memory.kept[0]!;
-    for (let run = 0; run < 20; run++) {
-      const body = capsuleAt(between(-0.2, 0.2), between(0, 0.2), between(-0.2, 0.2));
-      const reach = between(0.05, 0.3);
-      memory.gather(body, reach);
-      const gathered = new Set(near.subarray(0, memory.kept[0]!.nearCount));
-      for (let i = 0; i < surfels.count; i++) {
-        if (gathered.has(i)) continue;
-        const corners = cornersOf(surfels, i);
-        for (let k = 0; k <= 8; k++) {
-          const y = body.y + 0.3 + (k / 8) * 1.2;
-          const away = polygonDistance(new Vector3(body.x, y, body.z), corners);
-          expect(away - body.radius, `run ${run}, surfel ${i}`).toBeGreaterThan(reach);
+    let passed = 0;
+    let left = 0;
+    for (let run = 0; run < 4; run++) {
+      const yard = randomWorld(() => between(0, 1));
+      const memory = new FieldMemory(UPRIGHT);
+      for (const x of [0, 0.3, 0.5]) memory.take(drawn(yard, new Vector3(x, 0.9, 0.4 * x), {}));
+      for (let k = 1; k < 3; k++) {
+        const { surfels, again } = memory.kept[k]!;
+        for (let b = 0; b < surfels.first.length - 1; b++) memory.hasOwn(k, b);
+        for (let i = 0; i < surfels.count; i += 37) {
+          if (again[i] === 0) {
+            left++;
+            continue;
+          }
+          passed++;
+          const corners = cornersOf(surfels, i);
+          const middle = corners
+            .reduce((sum, corner) => sum.add(corner), new Vector3())
+            .divideScalar(corners.length);
+          for (const point of [middle, ...corners]) {
+            const newer = memory.kept
+              .slice(0, k)
+              .map(({ surfels }) => unionDistance(surfels, point));
+            expect(Math.min(...newer), `run ${run}, field ${k}, surfel ${i}`).toBeLessThan(0.0011);
+          }
         }
       }
     }
+    // Most of a yard is seen again.
+    expect(passed).toBeGreaterThan(2 * left);
+  });
+
+  it('should ask again of a newer field what an older newest one did not show', () => {
+    const memory = new FieldMemory(UPRIGHT);
+    const own = (k: number) => {
+      const blocks = memory.kept[k]!.surfels.first.length - 1;
+      return Array.from({ length: blocks }, (_, b) => memory.hasOwn(k, b)).filter(Boolean).length;
+    };
+    memory.take(at(0));
+    const all = own(0);
+    memory.take(at(0.8));
+    const some = own(1);
+    expect(some).toBeGreaterThan(0);
+    expect(some).toBeLessThan(all);
+    memory.take(at(-0.8));
+    expect(own(2)).toBeLessThan(some);
+  });
+});
+
+/** Distance of a polygon from an upright segment; along that it is convex. */
+function axisDistance(x: number, z: number, low: number, high: number, corners: Vector3[]): number {
+  const at = (y: number) => polygonDistance(new Vector3(x, y, z), corners);
+  for (let round = 0; round < 40; round++) {
+    const third = (high - low) / 3;
+    if (at(low + third) < at(high - third)) high -= third;
+    else low += third;
+  }
+  return at((low + high) / 2);
+}
+
+describe('pieces', () => {
+  it('should pass over no surfel within reach that is not some neighbour’s to tell of (seed 62)', () => {
+    const between = dice(62);
+    const box = new Box(0.3, 0.4, 0.3, 'box').at(-0.7, 0.2, 0).turn({ yaw: 0.4, roll: 0.3 });
+    const memory = remembered(new World(ground(), wall(0.6), box), EYE);
+    const { surfels } = memory.kept[0]!;
+    const { block, first, link, origin, piece } = surfels;
+    let near = 0;
+    for (let run = 0; run < 4; run++) {
+      const body = capsuleAt(between(-0.2, 0.2), between(0, 0.2), between(-0.2, 0.2));
+      const [low, high] = [body.y + 0.3, body.y + 1.5];
+      const reached = body.radius + between(0.05, 0.3);
+      const distances = Array.from({ length: surfels.count }, (_, i) => {
+        const corners = cornersOf(surfels, i);
+        return axisDistance(body.x, body.z, low, high, corners);
+      });
+      axis.set([body.x - origin.x, body.z - origin.z, low - origin.y, high - origin.y, reached]);
+      for (let b = 0; b < first.length - 1; b++) {
+        const without = isOutOfReach(block, PIECE * b);
+        for (let i = first[b]!; i < first[b + 1]!; i++) {
+          if (distances[i]! >= reached) continue;
+          near++;
+          if (!without && !isOutOfReach(piece, PIECE * i)) continue;
+          const around = [0, 1, 2, 3].map((side) => distances[link[SIDES * i + side]!]!);
+          expect(Math.min(...around), `run ${run}, surfel ${i}`).toBeLessThan(distances[i]! + 1e-4);
+        }
+      }
+    }
+    expect(near).toBeGreaterThan(1000);
   });
 });
 

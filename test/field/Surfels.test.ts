@@ -1,5 +1,6 @@
 import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
+import { GOES_ON, PIECE } from '../../src/field/pieces.js';
 import { STRIDE, Surfels } from '../../src/field/Surfels.js';
 import { cornersOf, dice, drawn, unionDistance, UPRIGHT } from '../support/fields.js';
 import { Ball, Box, ground, Plane, room } from '../support/world/scenes.js';
@@ -49,7 +50,7 @@ describe('Surfels of a plane', () => {
     const surfels = surfelsOf(new World(ground()), new Vector3(0.03, 0.9, -0.02));
     for (const { y } of everyCorner(surfels)) expect(Math.abs(y)).toBeLessThan(1e-5);
     const below = surfels.ofTexel[3 * 32 * 32 + 16 * 32 + 16]!;
-    expect(surfels.whole[below]).toBe(1);
+    expect(surfels.piece[PIECE * below + 7]).toBe(GOES_ON);
   });
 });
 

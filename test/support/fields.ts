@@ -2,6 +2,7 @@ import { Quaternion, Vector3 } from 'three';
 import { seeded } from '../../e2e/support/axisScenes.js';
 import type { Capsule } from '../../src/field/Capsule.js';
 import { FieldMemory } from '../../src/field/FieldMemory.js';
+import { PIECE } from '../../src/field/pieces.js';
 import { SurfaceField } from '../../src/field/SurfaceField.js';
 import { CORNERS, STRIDE, type Surfels } from '../../src/field/Surfels.js';
 import type { Judgement, World } from './world/World.js';
@@ -98,7 +99,7 @@ export function unionDistance(surfels: Surfels, point: Vector3): number {
   for (let i = 0; i < surfels.count; i++) {
     const o = STRIDE * i;
     const middle = new Vector3(...surfels.data.subarray(o, o + 3)).add(surfels.origin);
-    if (middle.distanceTo(point) - surfels.extent[i]! > best) continue;
+    if (middle.distanceTo(point) - surfels.piece[PIECE * i + 3]! > best) continue;
     best = Math.min(best, polygonDistance(point, cornersOf(surfels, i)));
   }
   return best;

@@ -1,0 +1,52 @@
+// @ts-check
+// What one fixed step costs in JavaScript, and taking a new field in: `npm run bench:step [-- --seconds 20 --rounds 3]`.
+// In Node, with the product's own code on fields of 6 x 32 x 32 texels; reproduces the table in docs/architecture.md.
+import { mkdtempSync, rmSync } from 'node:fs';
+import { arch, cpus, platform } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { parseArgs } from 'node:util';
+import { build } from 'vite';
+import { main, root } from '../scripts/run.mjs';
+import { quantile } from './page.mjs';
+
+await main(async () => {
+  const { values } = parseArgs({
+    options: {
+      seconds: { type: 'string', default: '20' },
+      only: { type: 'string', default: '' },
+    },
+  });
+  const folder = mkdtempSync(join(root, 'node_modules/.bench-'));
+  try {
+    // As users get it, in one piece: modules loaded one by one call each other more slowly.
+    await build({
+      configFile: false,
+      root,
+      logLevel: 'error',
+      build: { ssr: join(root, 'bench/step/steps.ts'), outDir: folder, minify: false },
+      ssr: { noExternal: true },
+    });
+    const { CASES, measure } = await import(pathToFileURL(join(folder, 'steps.js')).href);
+    console.log(
+      `Node ${process.versions.node}, ${platform()} ${arch()}, ${cpus().length} cores (${cpus()[0]?.model})`,
+    );
+    console.log('\n| | steps | one step, ms: p50 | mean | p90 | p99 | a new field, ms: p50 |');
+    console.log('| --- | ---: | ---: | ---: | ---: | ---: | ---: |');
+    for (const name of Object.keys(CASES)) {
+      if (!name.includes(values.only)) continue;
+      measure(name, 3);
+      const { steps, fields } = measure(name, Number(values.seconds));
+      const mean =
+        steps.reduce((/** @type {number} */ sum, /** @type {number} */ t) => sum + t, 0) /
+        steps.length;
+      const ms = [quantile(steps, 0.5), mean, quantile(steps, 0.9), quantile(steps, 0.99)];
+      const field = fields.length > 0 ? quantile(fields, 0.5)?.toFixed(2) : '-';
+      console.log(
+        `| ${name} | ${steps.length} | ${ms.map((t) => t?.toFixed(3)).join(' | ')} | ${field} |`,
+      );
+    }
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+});

@@ -1,0 +1,49 @@
+/**
+ * What tells most surfels, and whole blocks of them, apart from what a question is about, without a closer look:
+ * `PIECE` numbers each, closely packed. A point x, y, z; how far anything of it lies from there at most; the normal x,
+ * y, z of its plane; and its kind.
+ */
+export const PIECE = 8;
+/** Of many planes: a block. */
+export const MIXED = 0;
+/** In one plane, which ends there. */
+export const ENDS = 1;
+/** In one plane, which goes on all around: where it is nearest only beyond its own border, a neighbour is nearer. */
+export const GOES_ON = 2;
+
+/** How far beyond its border a place must lie to be some neighbour's for sure, as a part of its size. */
+const ASIDE = 0.2;
+
+/**
+ * An upright segment that questions are about: x, z, its lower and upper end's y, and how far from it anything is of
+ * interest; body's frame, metres, relative to `Surfels.origin`. Set it before. (Numbers handed over as arguments would be
+ * wrapped in objects, thousands a step.)
+ */
+export const axis = /* @__PURE__ */ new Float64Array(5);
+
+/** Does nothing of a piece come nearer to `axis` than wanted, that no neighbour of it does? */
+export function isOutOfReach(piece: Float32Array, p: number): boolean {
+  const dx = piece[p]! - axis[0]!;
+  const dz = piece[p + 2]! - axis[1]!;
+  const y = piece[p + 1]!;
+  const low = axis[2]!;
+  const high = axis[3]!;
+  const dy = y < low ? low - y : y > high ? high - y : 0;
+  const extent = piece[p + 3]!;
+  const reached = axis[4]!;
+  const within = reached + extent;
+  const squared = dx * dx + dy * dy + dz * dz;
+  if (squared >= within * within) return true;
+  const kind = piece[p + 7]!;
+  if (kind === MIXED) return false;
+  // The plane is never farther than what lies in it.
+  const level = -dx * piece[p + 4]! - dz * piece[p + 6]!;
+  const up = piece[p + 5]!;
+  const atLow = level + up * (low - y);
+  const atHigh = level + up * (high - y);
+  if (atLow >= reached ? atHigh >= reached : atLow <= -reached && atHigh <= -reached) return true;
+  if (kind === ENDS) return false;
+  const height = level + up * dy;
+  const border = (1 + ASIDE) * extent;
+  return squared - height * height > border * border;
+}
