@@ -16,7 +16,7 @@ export const HELP = `npm run walk -- [options]
   --async-steps 2000    its frames
   --steps 20000         frames of each walk
   --seed 1              of the inputs and places
-  --leg 20              seconds after which it goes on at another place (the first: --start)
+  --leg 4               seconds after which it goes on at another place (the first: --start)
   --no-rivals           without the others
   --resolution 32       texels per face edge of ours
   --collider '{…}'      further options of ours, as JSON
@@ -39,7 +39,7 @@ export function readOptions() {
       'async-steps': { type: 'string', default: '2000' },
       steps: { type: 'string', default: '20000' },
       seed: { type: 'string', default: '1' },
-      leg: { type: 'string', default: '20' },
+      leg: { type: 'string', default: '4' },
       rivals: { type: 'boolean', default: true },
       resolution: { type: 'string' },
       collider: { type: 'string', default: '{}' },
