@@ -2,7 +2,11 @@ import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
 import type { Capsule } from '../field/Capsule.js';
 import type { FieldMemory } from '../field/FieldMemory.js';
 import { timeOfImpact } from '../field/timeOfImpact.js';
+import { Anchor } from './Anchor.js';
+import type { Contact } from './Contact.js';
 
+/** Poses of what bends that are remembered: fields come late. */
+const REMEMBERED = 16;
 /** What moves farther than this part of the radius at once might pass by unnoticed: it is swept. */
 const SWEPT_RATIO = 0.4;
 
@@ -18,9 +22,12 @@ export class Platforms {
 
   readonly #memory: FieldMemory;
   readonly #toBody: Quaternion;
-  /** World matrix of the ground when it last took the body along. */
+  /** What the body stands on, and how it lay when it last took the body along. */
+  readonly #anchor = new Anchor();
   readonly #groundPose = new Matrix4();
-  #ground: Object3D | null = null;
+  /** The same before that, each with the character's clock; a ring. */
+  readonly #past = Array.from({ length: REMEMBERED }, () => ({ clock: NaN, pose: new Matrix4() }));
+  #turn = 0;
   /** Objects of the newest field, and their world matrices when they were carried last. */
   readonly #objects: Object3D[] = [];
   readonly #poses: Matrix4[] = [];
@@ -30,8 +37,12 @@ export class Platforms {
     this.#toBody = toBody;
   }
 
+  /** Whether the body rides on something whose world matrix does not tell where it is: a skin, an instance. */
+  bends = false;
+
   reset(): void {
-    this.#ground = null;
+    this.#anchor.release();
+    this.bends = false;
     this.#objects.length = 0;
   }
 
@@ -40,21 +51,30 @@ export class Platforms {
    *
    * @param ground what the body stands on
    * @param refresh whether to bring world matrices up to date first
+   * @param clock the character's, seconds
    * @returns whether anything moved
    */
-  carry(body: Capsule, ground: Object3D | null, refresh: boolean): boolean {
+  carry(body: Capsule, ground: Contact | null, refresh: boolean, clock: number): boolean {
     this.ride.set(0, 0, 0);
     this.push.set(0, 0, 0);
-    let moved = this.#take(body, ground, refresh);
+    const rides = this.#take(body, ground, refresh, clock);
     const newest = this.#memory.newest;
-    if (newest === null) return moved;
+    if (newest === null) return rides;
+    this.bends = rides && this.#anchor.deforms;
+    if (this.bends) this.#bend(since);
+    let moved = rides;
     for (let i = 0; i < newest.objects.length; i++) {
       const object = newest.objects[i]!;
       if (refresh) object.updateWorldMatrix(true, false);
       if (object.matrixWorld.equals(newest.poses[i]!)) continue;
       moved = true;
       this.#memory.forgetOlder();
-      if (object !== ground) this.#sweep(body, object, newest.poses[i]!);
+      if (this.bends && object === this.#anchor.object && this.#anchor.instance < 0) {
+        // Its place has been told by its own vertices.
+        newest.poses[i]!.copy(object.matrixWorld);
+        continue;
+      }
+      if (object !== this.#anchor.object) this.#sweep(body, object, newest.poses[i]!);
       newest.carry(i + 1, this.#toBody);
       this.#memory.revision++;
     }
@@ -78,6 +98,29 @@ export class Platforms {
       const pose = known >= 0 ? this.#poses[known]! : object.matrixWorld;
       if (!pose.equals(newest.poses[i]!)) newest.carry(i + 1, this.#toBody, pose);
     }
+    if (this.#anchor.object === null || !this.#anchor.deforms) return;
+    const then = this.#poseAt(newest.asked);
+    if (then !== null) this.#bend(displaced(then, this.#groundPose));
+  }
+
+  /** How the anchor lay at a time; null if that is not known any more. */
+  #poseAt(time: number): Matrix4 | null {
+    let best = null;
+    for (const past of this.#past) {
+      if (past.clock <= time + 1e-6 && !(best !== null && past.clock <= best.clock)) best = past;
+    }
+    return best === null ? null : best.pose;
+  }
+
+  /** Carries the newest field's surfels of what the body stands on along. @param way world space */
+  #bend(way: Matrix4): void {
+    const { object, instance } = this.#anchor;
+    const newest = this.#memory.newest!;
+    const id = newest.objects.indexOf(object!) + 1;
+    if (id === 0) return;
+    this.#memory.forgetOlder();
+    newest.bend(id, instance, way, this.#toBody);
+    this.#memory.revision++;
   }
 
   /** All fields were forgotten: what comes next is where it is, and nothing has moved there. */
@@ -86,15 +129,32 @@ export class Platforms {
   }
 
   /** The ground's own way since the last frame, whatever fields came between. */
-  #take(body: Capsule, ground: Object3D | null, refresh: boolean): boolean {
-    if (ground !== null && refresh) ground.updateWorldMatrix(true, false);
-    const same = ground !== null && ground === this.#ground;
-    const moved = same && !ground.matrixWorld.equals(this.#groundPose);
-    if (moved) {
-      displacement(this.#groundPose, ground.matrixWorld, body, 0, this.#toBody, this.ride);
+  #take(body: Capsule, ground: Contact | null, refresh: boolean, clock: number): boolean {
+    const anchor = this.#anchor;
+    if (ground === null || ground.object === null) {
+      anchor.release();
+      return false;
     }
-    this.#ground = ground;
-    if (ground !== null) this.#groundPose.copy(ground.matrixWorld);
+    const { object, instance, point } = ground;
+    if (refresh) object.updateWorldMatrix(true, false);
+    let moved = false;
+    // First how the place that it stood on has moved, then whether it stands on another.
+    if (object === anchor.object) {
+      anchor.follow();
+      moved = !anchor.pose.equals(this.#groundPose);
+    }
+    if (moved) {
+      displacement(this.#groundPose, anchor.pose, body, 0, this.#toBody, this.ride);
+      displaced(this.#groundPose, anchor.pose);
+      // A matrix that cannot be inverted, a vertex that is none: no ride.
+      moved = Number.isFinite(this.ride.x + this.ride.y + this.ride.z);
+      if (!moved) this.ride.set(0, 0, 0);
+    }
+    if (!anchor.hold(object, instance, point)) for (const each of this.#past) each.clock = NaN;
+    this.#groundPose.copy(anchor.pose);
+    const past = this.#past[this.#turn++ % REMEMBERED]!;
+    past.clock = clock;
+    past.pose.copy(anchor.pose);
     return moved;
   }
 
@@ -134,6 +194,12 @@ function displacement(
   return target.sub(place).applyQuaternion(toBody);
 }
 
+/** The way from one pose to another, world space, into `since`. */
+function displaced(from: Matrix4, to: Matrix4): Matrix4 {
+  return since.copy(from).invert().premultiply(to);
+}
+
+const since = /* @__PURE__ */ new Matrix4();
 const back = /* @__PURE__ */ new Vector3();
 const between = /* @__PURE__ */ new Vector3();
 const place = /* @__PURE__ */ new Vector3();

@@ -95,15 +95,32 @@ export class Probe<R, S> {
   /**
    * Is a draw due?
    *
+   * @param bends whether the body rides on something that bends
    * @param velocity body's frame, m/s
    * @param waiting whether the body stands for want of a field
    * @param dt seconds since it was asked last
    */
-  isDue(survey: Readonly<Survey>, velocity: Vector3, waiting: boolean, dt: number): boolean {
+  isDue(
+    survey: Readonly<Survey>,
+    bends: boolean,
+    velocity: Vector3,
+    waiting: boolean,
+    dt: number,
+  ): boolean {
     const sees = this.seesAhead(velocity, this.latency + SOON);
     const empty = this.#memory.newest === null;
     this.#middle(middle);
-    return this.#policy.due(survey, middle, velocity, this.#room(), waiting, sees, empty, dt);
+    return this.#policy.due(
+      survey,
+      bends,
+      middle,
+      velocity,
+      this.#room(),
+      waiting,
+      sees,
+      empty,
+      dt,
+    );
   }
 
   /**

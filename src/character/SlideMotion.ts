@@ -1,4 +1,4 @@
-import { Quaternion, Vector3, type Object3D } from 'three';
+import { Quaternion, Vector3 } from 'three';
 import { DEFAULTS } from '../defaults.js';
 import type { Capsule } from '../field/Capsule.js';
 import { FieldMemory } from '../field/FieldMemory.js';
@@ -179,7 +179,8 @@ export class SlideMotion<R, S> implements Motion<R, S> {
     this.#simulate(dt, delta, false, sync ? renderer : undefined, scene);
     this.list.findSensors(survey.sensors, this.#state);
     this.#report();
-    if (this.#probe.isDue(survey, this.#velocity, this.#waiting, dt)) {
+    const bends = this.#platforms.bends;
+    if (this.#probe.isDue(survey, bends, this.#velocity, this.#waiting, dt)) {
       this.#draw(renderer, scene, !this.#waiting);
     }
   }
@@ -231,9 +232,9 @@ export class SlideMotion<R, S> implements Motion<R, S> {
   /** Lets what moved since the last frame take its rider along and push. */
   #carry(delta: number, refresh: boolean): void {
     const body = this.#body;
-    const ground = this.#walking ? this.#groundObject() : null;
+    const ground = this.#walking ? this.list.ground : null;
     this.#sinceRide += delta;
-    if (!this.#platforms.carry(body, ground, refresh)) {
+    if (!this.#platforms.carry(body, ground, refresh, this.#clock)) {
       // What moves only every few frames, as physics do, has not stopped in between.
       if (this.#walking && this.#sinceRide > RIDE_GAP) this.#base.set(0, 0, 0);
       return;
@@ -261,10 +262,6 @@ export class SlideMotion<R, S> implements Motion<R, S> {
     this.#before.y += body.y - y;
     this.#before.z += body.z - z;
     this.#noteSqueeze();
-  }
-
-  #groundObject(): Object3D | null {
-    return this.list.ground?.object ?? null;
   }
 
   #fixedStep(): void {

@@ -198,10 +198,34 @@ export class Surfels {
       }
       return false;
     }
+    this.#move(id, -1, toBody, this.#drawn, MOVING);
+    return true;
+  }
+
+  /**
+   * Moves the surfels of object number `id`, or of one instance of it, on from where they are now: of what its world
+   * matrix does not tell, as a bending skin near the place where one stands.
+   *
+   * @param instance -1 for all
+   * @param way a rigid move, world space
+   * @param toBody turns world axes into the body's
+   */
+  bend(id: number, instance: number, way: Matrix4, toBody: Quaternion): void {
+    this.moved[id] = 1;
+    since.copy(way);
+    if (isRigid(since)) this.#move(id, instance, toBody, this.data, STRIDE);
+  }
+
+  /** Moves surfels by `since`, from where `source` has them, `stride` numbers each. */
+  #move(
+    id: number,
+    instance: number,
+    toBody: Quaternion,
+    source: Float32Array,
+    stride: number,
+  ): void {
     const { data, count, object } = this;
-    const drawn = this.#drawn;
-    const turn = toBody.w !== 1;
-    if (turn) {
+    if (toBody.w !== 1) {
       toBodyMatrix.makeRotationFromQuaternion(toBody);
       since.premultiply(toBodyMatrix).multiply(toBodyMatrix.transpose());
     }
@@ -212,13 +236,13 @@ export class Surfels {
     const ty = e[1]! * cx + e[5]! * cy + e[9]! * cz + e[13]! - cy;
     const tz = e[2]! * cx + e[6]! * cy + e[10]! * cz + e[14]! - cz;
     for (let i = 0; i < count; i++) {
-      if (object[i] !== id) continue;
+      if (object[i] !== id || (instance >= 0 && this.instance[i] !== instance)) continue;
       // Its neighbours may be another object's, and stay behind.
       this.piece[PIECE * i + 7] = ENDS;
-      for (let o = STRIDE * i, w = MOVING * i, v = 0; v < MOVING; v += 3, o += 3, w += 3) {
-        const x = drawn[w]!;
-        const y = drawn[w + 1]!;
-        const z = drawn[w + 2]!;
+      for (let o = STRIDE * i, w = stride * i, v = 0; v < MOVING; v += 3, o += 3, w += 3) {
+        const x = source[w]!;
+        const y = source[w + 1]!;
+        const z = source[w + 2]!;
         const t = v === 0 ? 1 : 0;
         data[o] = e[0]! * x + e[4]! * y + e[8]! * z + t * tx;
         data[o + 1] = e[1]! * x + e[5]! * y + e[9]! * z + t * ty;
@@ -233,7 +257,6 @@ export class Surfels {
         break;
       }
     }
-    return true;
   }
 
   #setPiece(i: number): void {

@@ -1,4 +1,16 @@
-import { Vector3 } from 'three';
+import {
+  Bone,
+  Float32BufferAttribute,
+  InstancedMesh,
+  Matrix4,
+  Mesh,
+  type Object3D,
+  PlaneGeometry,
+  Skeleton,
+  SkinnedMesh,
+  Uint16BufferAttribute,
+  Vector3,
+} from 'three';
 import { describe, expect, it } from 'vitest';
 import { tries } from '../../support/soak.js';
 import { listen } from '../../support/world/events.js';
@@ -88,6 +100,90 @@ describe.each(RIDES)('riding %s', (_, ride) => {
     expect(Math.abs(off.y)).toBeLessThan(0.01);
     expect(off.length()).toBeLessThan(_ === 'a turntable' ? 0.6 : 0.05);
     expect(walker.character.grounded).toBe(true);
+  });
+});
+
+/** How a thing that bends, or an instance, is moved with a solid that stands for its surface. */
+type Bending = (solid: Solid) => { shown: Object3D; follow: () => void };
+
+const patch = () => new PlaneGeometry(3, 3, 12, 12).rotateX(-Math.PI / 2).translate(0, top, 0);
+
+const skin: Bending = ({ object }) => {
+  const geometry = patch();
+  const { count } = geometry.attributes.position!;
+  geometry.setAttribute('skinIndex', new Uint16BufferAttribute(new Uint16Array(4 * count), 4));
+  const weights = Float32Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0));
+  geometry.setAttribute('skinWeight', new Float32BufferAttribute(weights, 4));
+  const shown = new SkinnedMesh(geometry);
+  const bone = new Bone();
+  shown.add(bone);
+  shown.bind(new Skeleton([bone]));
+  return {
+    shown,
+    follow: () => {
+      bone.position.copy(object.position);
+      bone.quaternion.copy(object.quaternion);
+    },
+  };
+};
+
+const morph: Bending = ({ object }) => {
+  const geometry = patch();
+  const far = Float32Array.from({ length: 3 * geometry.attributes.position!.count }, () => 1);
+  const along = [0, 1, 2].map((axis) => far.map((_, i) => (i % 3 === axis ? 1 : 0)));
+  geometry.morphAttributes.position = along.map((moves) => new Float32BufferAttribute(moves, 3));
+  geometry.morphTargetsRelative = true;
+  const shown = new Mesh(geometry);
+  return { shown, follow: () => object.position.toArray(shown.morphTargetInfluences) };
+};
+
+const instance: Bending = ({ object }) => {
+  const shown = new InstancedMesh(patch(), undefined, 3);
+  return {
+    shown,
+    follow: () =>
+      // Draws of the analytic world say instance 0.
+      shown.setMatrixAt(0, new Matrix4().compose(object.position, object.quaternion, object.scale)),
+  };
+};
+
+describe.each([
+  ['a skin that is a lift', lift, skin],
+  ['a skin that is a turntable', turntable, skin],
+  ['a morph that is a swing', swing, morph],
+  ['an instance that is a swing', swing, instance],
+  ['an instance that is a turntable', turntable, instance],
+] as const)('riding %s', (_, ride, bending) => {
+  it.each([
+    [60, 0],
+    [60, 2],
+    [144, 3],
+    [20, 0],
+  ])('should not slip by 1 cm at %i Hz, fields %i late', (rate, latency) => {
+    const solid = ride.platform();
+    const { shown, follow } = bending(solid);
+    solid.shown = shown;
+    solid.deforms = true;
+    const world = new World(ground(-9), solid);
+    world.root.add(shown);
+    const walker = new WorldWalker(world, {
+      foot: ride.foot,
+      resolution: 16,
+      rate,
+      latency,
+      drive: (time) => {
+        ride.drive(solid, time);
+        follow();
+      },
+    });
+    const onPlatform = () => solid.object.worldToLocal(walker.drawn.clone());
+    walker.settle(1);
+    const from = onPlatform();
+    let slip = 0;
+    walker.run(8, () => (slip = Math.max(slip, onPlatform().distanceTo(from))));
+    expect(slip, walker.story).toBeLessThan(0.01);
+    expect(walker.character.grounded).toBe(true);
+    expect(walker.worstDrawn, walker.worstAt).toBeLessThan(0.01);
   });
 });
 

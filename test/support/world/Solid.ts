@@ -16,6 +16,8 @@ export abstract class Solid {
   abstract readonly bound: number;
   /** Whether the processor cannot know its shape, as of a skin: it counts as moving always. */
   deforms = false;
+  /** What draws say it is, if that is not `object`: one whose own matrix does not tell where its surface lies. */
+  shown: Object3D | null = null;
   /** The last answer: outward normal of `cast`, nearest point of `nearest`; own frame. */
   nx = 0;
   ny = 0;

@@ -61,7 +61,7 @@ export class World {
     field.instance.fill(0);
     for (const solid of this.solids) {
       if (solid.object.visible && withinReach(solid, center, field.far)) {
-        drawSolid(field, solid, field.addObject(solid.object, !solid.deforms));
+        drawSolid(field, solid, field.addObject(solid.shown ?? solid.object, !solid.deforms));
       }
     }
   }

@@ -110,7 +110,7 @@ export class WorldCollider implements CharacterCollider {
         continue;
       }
       known++;
-      if (before.equals(solid.object.matrixWorld)) continue;
+      if (solid.shown !== null || before.equals(solid.object.matrixWorld)) continue;
       if (near || withinReach(solid, this.#drawnAt, this.#drawnFar, before)) survey.moved = true;
     }
     // Something that was drawn is gone or hidden, near or far.
