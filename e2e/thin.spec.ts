@@ -1,6 +1,7 @@
 import type { Page } from '@playwright/test';
 import type thin from './harness/thin.js';
 import type thinStop from './harness/thinStop.js';
+import { tries } from '../test/support/soak.js';
 import { expect, runInPage, test } from './support/test.js';
 
 type Case = Parameters<typeof thin>[0];
@@ -19,23 +20,23 @@ test.describe('thin things, 32 texels a face edge, anywhere around the centre', 
   const cases: [string, Case][] = [
     [
       '@three a 10 mm pole at 0.1 to 0.6 m',
-      { kind: 'pole', count: 600, seed: 1, collider: { supersample: 4 } },
+      { kind: 'pole', count: tries(200, 600), seed: 1, collider: { supersample: 4 } },
     ],
     [
       'a 30 mm rail at 0.2 to 1.6 m',
-      { kind: 'rail', count: 600, seed: 2, collider: { supersample: 4 } },
+      { kind: 'rail', count: tries(200, 600), seed: 2, collider: { supersample: 4 } },
     ],
     [
       'a 10 mm pole in RGBA16F',
-      { kind: 'pole', count: 100, seed: 3, collider: { supersample: 4, format: 'RGBA16F' } },
+      { kind: 'pole', count: 50, seed: 3, collider: { supersample: 4, format: 'RGBA16F' } },
     ],
     [
       'a 10 mm pole in RGBA8',
-      { kind: 'pole', count: 100, seed: 4, collider: { supersample: 4, format: 'RGBA8' } },
+      { kind: 'pole', count: 50, seed: 4, collider: { supersample: 4, format: 'RGBA8' } },
     ],
     [
       'a 20 mm pole drawn twice as fine',
-      { kind: 'pole', width: 0.02, count: 200, seed: 5, collider: { supersample: 2 } },
+      { kind: 'pole', width: 0.02, count: 100, seed: 5, collider: { supersample: 2 } },
     ],
   ];
   for (const [name, options] of cases) {
@@ -55,18 +56,18 @@ test.describe('thin things, 32 texels a face edge, anywhere around the centre', 
   }) => {
     const poles = await see(page, {
       kind: 'pole',
-      count: 300,
+      count: 150,
       seed: 1,
       collider: { supersample: 1 },
     });
-    expect(poles.missed.length).toBeGreaterThan(9);
+    expect(poles.missed.length).toBeGreaterThan(4);
     const rails = await see(page, {
       kind: 'rail',
-      count: 300,
+      count: 150,
       seed: 2,
       collider: { supersample: 1 },
     });
-    expect(rails.missed.length).toBeGreaterThan(9);
+    expect(rails.missed.length).toBeGreaterThan(4);
   });
 });
 
@@ -89,10 +90,15 @@ test.describe('walking at a thin thing, from any side, at 1 to 6 m/s', () => {
 
   for (const kind of ['pole', 'rail'] as const) {
     test(`should stop at a ${kind}, drawn four times finer`, async ({ page }) => {
-      const depths = await walkAt(page, { kind, count: 60, seed: 3, collider: { supersample: 4 } });
+      const depths = await walkAt(page, {
+        kind,
+        count: tries(20, 60),
+        seed: 3,
+        collider: { supersample: 4 },
+      });
       expect(depths[0]).toBeLessThan(0);
       // Stopped at it, not before it: the skin, and what a slanted walk leaves.
-      expect(depths[30]).toBeGreaterThan(-0.03);
+      expect(depths[depths.length >> 1]).toBeGreaterThan(-0.03);
     });
   }
 
@@ -101,7 +107,7 @@ test.describe('walking at a thin thing, from any side, at 1 to 6 m/s', () => {
   }) => {
     const depths = await walkAt(page, {
       kind: 'pole',
-      count: 60,
+      count: 40,
       seed: 3,
       collider: { supersample: 1 },
     });
