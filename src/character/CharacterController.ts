@@ -191,6 +191,15 @@ export class CharacterController<R = unknown, S = unknown>
     return this.#motion instanceof SlideMotion && this.#motion.squeezed;
   }
 
+  /**
+   * Whether it is inside a solid, as two fields in a row tell by the backs of surfaces all around; of solids that are
+   * larger than the fields' reach they cannot. It then goes back to where it was free last, unless it was put there.
+   * Materials that show both sides have no inside. Always false in the paper's mode.
+   */
+  get inside(): boolean {
+    return this.#motion instanceof SlideMotion && this.#motion.inside;
+  }
+
   /** Whether it is crouched: still so where there is no room to stand up. */
   get crouched(): boolean {
     return this.#state.height < this.#state.fullHeight;

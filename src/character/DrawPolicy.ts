@@ -43,7 +43,7 @@ export class DrawPolicy {
   /**
    * Is a draw due?
    *
-   * @param bends whether the body rides on something that bends: it counts as moving
+   * @param hurry whether to draw as often as for what moves
    * @param middle of the body, world space
    * @param velocity of the body, m/s
    * @param room how far the body may move from a field's centre
@@ -54,7 +54,7 @@ export class DrawPolicy {
    */
   due(
     survey: Readonly<Survey>,
-    bends: boolean,
+    hurry: boolean,
     middle: Vector3,
     velocity: Vector3,
     room: number,
@@ -70,7 +70,7 @@ export class DrawPolicy {
     if (survey.changed || empty || Number.isNaN(this.center.x)) return true;
     // Asked for already, it is on its way; but ways get lost.
     if (waiting) return middle.distanceTo(this.center) > HERE || this.#since > PATIENCE;
-    if ((survey.moved || bends) && this.#since >= MOVER_INTERVAL) return true;
+    if ((survey.moved || hurry) && this.#since >= MOVER_INTERVAL) return true;
     if (survey.deforms && this.#since >= MAX_AGE) return true;
     const most = interval(speed, room);
     const made = middle.distanceTo(this.#from);

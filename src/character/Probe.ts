@@ -95,14 +95,14 @@ export class Probe<R, S> {
   /**
    * Is a draw due?
    *
-   * @param bends whether the body rides on something that bends
+   * @param hurry whether to draw as often as for what moves
    * @param velocity body's frame, m/s
    * @param waiting whether the body stands for want of a field
    * @param dt seconds since it was asked last
    */
   isDue(
     survey: Readonly<Survey>,
-    bends: boolean,
+    hurry: boolean,
     velocity: Vector3,
     waiting: boolean,
     dt: number,
@@ -112,7 +112,7 @@ export class Probe<R, S> {
     this.#middle(middle);
     return this.#policy.due(
       survey,
-      bends,
+      hurry,
       middle,
       velocity,
       this.#room(),

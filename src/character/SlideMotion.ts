@@ -10,6 +10,7 @@ import type { CharacterEvent } from './characterEvents.js';
 import type { CharacterState } from './CharacterState.js';
 import { ContactList } from './ContactList.js';
 import { ClimbWatch } from './ClimbWatch.js';
+import { InsideWatch } from './InsideWatch.js';
 import type { Motion } from './Motion.js';
 import { Platforms } from './Platforms.js';
 import { Probe } from './Probe.js';
@@ -64,6 +65,7 @@ export class SlideMotion<R, S> implements Motion<R, S> {
   readonly #platforms: Platforms;
   readonly #probe: Probe<R, S>;
   readonly #climb = new ClimbWatch();
+  readonly #watch = new InsideWatch();
   readonly #body: Capsule;
   readonly #limits: SlideLimits = { skin: 0, slope: 0, stepHeight: 0 };
   /** Foot before the last step, body's frame. */
@@ -123,6 +125,10 @@ export class SlideMotion<R, S> implements Motion<R, S> {
     return this.#probe.covers;
   }
 
+  get inside(): boolean {
+    return this.#watch.inside;
+  }
+
   get latency(): number {
     return this.#probe.latency;
   }
@@ -141,6 +147,8 @@ export class SlideMotion<R, S> implements Motion<R, S> {
     this.#probe.reset();
     this.#platforms.reset();
     this.list.clear();
+    if (this.#watch.inside) this.#news.push({ type: 'inside', inside: false });
+    this.#watch.reset();
     this.#walking = false;
     this.#airTime = this.#jumpWish = Infinity;
     this.#remainder = 0;
@@ -179,8 +187,8 @@ export class SlideMotion<R, S> implements Motion<R, S> {
     this.#simulate(dt, delta, false, sync ? renderer : undefined, scene);
     this.list.findSensors(survey.sensors, this.#state);
     this.#report();
-    const bends = this.#platforms.bends;
-    if (this.#probe.isDue(survey, bends, this.#velocity, this.#waiting, dt)) {
+    const hurry = this.#platforms.bends || this.#watch.unsure;
+    if (this.#probe.isDue(survey, hurry, this.#velocity, this.#waiting, dt)) {
       this.#draw(renderer, scene, !this.#waiting);
     }
   }
@@ -194,9 +202,23 @@ export class SlideMotion<R, S> implements Motion<R, S> {
 
   /** Takes over the collider's newest field, if it is new. */
   #take(): void {
-    if (this.#probe.take(this.#clock)) this.#platforms.newField();
-    else if (this.#memory.newest === null) this.#platforms.forget();
+    if (this.#probe.take(this.#clock)) {
+      this.#platforms.newField();
+      this.#noteInside(this.#watch.take(this.#collider.field!, this.#state.up, this.#body));
+    } else if (this.#memory.newest === null) this.#platforms.forget();
     this.#memory.forgetBefore(this.#changedAt);
+  }
+
+  /** Inside a solid now, or out of it again: back to where it was free. */
+  #noteInside(changed: boolean): void {
+    const { inside } = this.#watch;
+    if (changed) this.#news.push({ type: 'inside', inside });
+    if (!inside || !this.#watch.rescue(this.#body)) return;
+    this.#before.set(this.#body.x, this.#body.y, this.#body.z);
+    this.#velocity.set(0, 0, 0);
+    this.#base.set(0, 0, 0);
+    this.#platforms.reset();
+    this.#stillRevision = NaN;
   }
 
   #draw(renderer: R, scene: S, ahead: boolean): void {

@@ -17,6 +17,8 @@ export interface CharacterEventMap {
   separate: { object: Object3D; sensor: boolean };
   /** It has no room for its body any more (true), or has again (false). */
   squeeze: { squeezed: boolean };
+  /** It is inside a solid (true), whence it goes back to where it was free last; or out of it again. */
+  inside: { inside: boolean };
   /** It fell below `respawnBelow` and was put back to `position`. */
   respawn: { position: Vector3 };
 }

@@ -9,6 +9,7 @@ const TYPES = [
   'contact',
   'separate',
   'squeeze',
+  'inside',
   'respawn',
 ] as const;
 
@@ -17,6 +18,7 @@ export interface Heard {
   speed?: number;
   height?: number;
   squeezed?: boolean;
+  inside?: boolean;
   object?: Object3D;
   sensor?: boolean;
 }
