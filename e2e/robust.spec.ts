@@ -52,6 +52,16 @@ test.describe('on a page whose GPU never drains', () => {
     expect(report.reads).toBe(report.forced);
   });
 
+  test('should not be waited for on the way, asked to be patient: only the age counts', async ({
+    page,
+  }) => {
+    const report = await run(page, 'neverDrained', { stride: 0.2, updates: 100, patient: true });
+    expect(report.farthest).toBeGreaterThan(1);
+    expect(report.oldest).toBeLessThan(200 + 16);
+    expect(report.forced).toBeGreaterThanOrEqual(6);
+    expect(report.forced).toBeLessThanOrEqual(8);
+  });
+
   test('should see what changes beside one that stands', async ({ page }) => {
     const report = await run(page, 'neverDrained', { stride: 0, updates: 100 });
     expect(report.oldest).toBeLessThan(200 + 16);

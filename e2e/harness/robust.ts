@@ -73,7 +73,15 @@ const cases = {
   },
 
   /** A page whose GPU never drains: asynchronous reads that never come by themselves. */
-  async neverDrained({ stride, updates }: { stride: number; updates: number }) {
+  async neverDrained({
+    stride,
+    updates,
+    patient = false,
+  }: {
+    stride: number;
+    updates: number;
+    patient?: boolean;
+  }) {
     const renderer = new WebGLRenderer();
     const gl = renderer.getContext() as WebGL2RenderingContext;
     gl.clientWaitSync = () => gl.TIMEOUT_EXPIRED;
@@ -88,7 +96,7 @@ const cases = {
     for (let i = 0; i < updates; i++) {
       clock += 16;
       collider.position.x = stride * i;
-      collider.update(renderer, scene);
+      collider.update(renderer, scene, patient);
       if (collider.field !== null) {
         farthest = Math.max(farthest, collider.field.center.distanceTo(collider.position));
         oldest = Math.max(oldest, performance.now() - collider.field.time);

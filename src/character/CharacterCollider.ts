@@ -33,8 +33,14 @@ export interface CharacterCollider<R = unknown, S = unknown> {
   readonly maxima: AxisMaxima | null;
   /** 'sync' if a field is there as soon as `update` returns. */
   readonly readback: 'sync' | 'async';
-  /** Draws around `position` and starts or finishes the read-back. Returns whether it did: not while busy, or lost. */
-  update(renderer: R, scene: S): boolean;
+  /**
+   * Draws around `position` and starts or finishes the read-back.
+   *
+   * @param patient never to wait for a read because of the way made since the last: the caller itself goes no farther than
+   *   its fields vouch for
+   * @returns whether it did: not while busy, or lost
+   */
+  update(renderer: R, scene: S, patient?: boolean): boolean;
   /**
    * Looks at what is solid within `far` of the last draw, drawing nothing, and brings world matrices up to date. Without
    * a draw yet, `changed` is true.

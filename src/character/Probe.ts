@@ -147,7 +147,8 @@ export class Probe<R, S> {
       this.#retreat();
     }
     collider.position.copy(target);
-    if (collider.update(renderer, scene) === false) return false;
+    // One that waits already may as well be blocked: where the GPU never drains, nothing comes by itself.
+    if (collider.update(renderer, scene, ahead) === false) return false;
     this.#policy.drawn(target, middle);
     const asked = this.#asked[this.#turn++ % ASKED]!;
     asked.center.copy(target);

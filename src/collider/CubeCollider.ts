@@ -179,16 +179,20 @@ export class CubeCollider extends Object3D {
    * Draws the cubemap around this object's world position and starts its read-back; with 'sync' finishes it too. Call
    * it at the start of a frame, before the scene is rendered.
    *
+   * @param patient never to wait for a read because of the way made since the last one came (`slack`), as a
+   *   `CharacterController` asks, which goes no farther than its fields vouch for. Default false
    * @returns whether it drew; not while two reads are on their way, nor where it warns
    */
-  update(renderer: WebGLRenderer, scene: Object3D): boolean {
+  update(renderer: WebGLRenderer, scene: Object3D, patient = false): boolean {
     if (!this.#usable(renderer, scene)) return false;
     this.#updates++;
     const gpu = this.#resources(renderer);
     const center = worldPosition.setFromMatrixPosition(this.matrixWorld);
     if (this.readback === 'sync') {
       this.#draw(renderer, scene, center, true);
-    } else if (this.#newest.runsOut(center, this.#updates, gpu.ring.inFlight > 0)) {
+    } else if (
+      this.#newest.runsOut(patient ? null : center, this.#updates, gpu.ring.inFlight > 0)
+    ) {
       // One wait, for what is here and now; the reads on their way are older.
       this.stats.forced++;
       gpu.ring.drop();

@@ -82,16 +82,18 @@ export class NewestRead {
    * Must the next be waited for? If the reach or the age of this one is about to run out, or there has been none for
    * too long.
    *
-   * @param center where the collider is now, world space
+   * @param center where the collider is now, world space; null if its way does not count
    * @param update number of this update
    * @param inFlight whether a newer one is on its way, and late
    */
-  runsOut(center: Vector3, update: number, inFlight: boolean): boolean {
+  runsOut(center: Vector3 | null, update: number, inFlight: boolean): boolean {
     const newest = this.maxima ?? this.field;
     if (newest === null) return update - this.#update > PATIENCE;
-    const { slack, slackRatio, far } = this.#settings;
-    const reach = this.field === null ? far : this.field.far;
-    if (newest.center.distanceTo(center) > (slack ?? slackRatio * reach)) return true;
+    if (center !== null) {
+      const { slack, slackRatio, far } = this.#settings;
+      const reach = this.field === null ? far : this.field.far;
+      if (newest.center.distanceTo(center) > (slack ?? slackRatio * reach)) return true;
+    }
     return inFlight && performance.now() - this.#time > 1000 * this.#settings.maxAge;
   }
 }
