@@ -1,30 +1,17 @@
 import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
-import { FACES } from '../cube/faces.js';
 import { blocksOf } from './blocks.js';
+import { setCorners } from './corners.js';
+import { APART, COPLANAR_LINK, type Extents, findExtents } from './extents.js';
+import { STRIDE } from './layout.js';
 import { neighbours, SIDES } from './neighbours.js';
-import { ENDS, GOES_ON, MIXED, PIECE } from './pieces.js';
+import { AWAY, boundBlock, ENDS, GOES_ON, PIECE } from './pieces.js';
 import type { SurfaceField } from './SurfaceField.js';
-import { APART, COPLANAR_LINK, CREASE, findExtents, meeting, type Extents } from './extents.js';
 
-/** Most corners a surfel has. */
-const MOST_CORNERS = 8;
-/**
- * Numbers a surfel: point, normal, tangent, bitangent (3 each), how many corners it has, then those in terms of the
- * latter two (2 each).
- */
-export const STRIDE = 13 + 2 * MOST_CORNERS;
-/** Where the number of a surfel's corners stands, the corners behind it. */
-export const CORNERS = 12;
 /**
  * A surface seen at a slant less than this (cosine between ray and normal) is told from so far aside that its texel's
  * point may be centimetres off: it is left to a later, nearer look.
  */
 const LEAST_SLANT = 0.06;
-/** Where surfels go that no longer hold, metres. */
-const AWAY = 1e6;
-/** A block's surfels lie in one plane if their normals are closer than this (0.8°) and none is farther off, metres. */
-const SAME_NORMAL = 0.9999;
-const SAME_PLANE = 1e-4;
 /** What of a surfel moves with its object. */
 const MOVING = 12;
 
@@ -79,9 +66,6 @@ export class Surfels {
   readonly #drawn: Float32Array;
   readonly #drawnPoses: Matrix4[] = [];
   readonly #extents: Extents;
-  /** A polygon being cut, and what is left of it. */
-  #polygon = new Float32Array(2 * (MOST_CORNERS + 1));
-  #cut = new Float32Array(2 * (MOST_CORNERS + 1));
 
   constructor(readonly resolution: number) {
     const count = 6 * resolution * resolution;
@@ -155,7 +139,7 @@ export class Surfels {
       data[o + 4] = normal[k + 1]!;
       data[o + 5] = normal[k + 2]!;
       tangents(data, o);
-      this.#setCorners(i, texel, o, field, table);
+      this.piece[PIECE * i + 3] = setCorners(data, o, field, texel, table, this.#extents);
       if (turn) for (let v = 0; v < 12; v += 3) rotate(data, o + v, toBody);
       let kind = GOES_ON;
       for (let side = 0; side < SIDES; side++) {
@@ -259,188 +243,16 @@ export class Surfels {
     }
   }
 
+  #bound(b: number): void {
+    boundBlock(this.piece, this.first[b]!, this.first[b + 1]!, this.block, b);
+  }
+
   #setPiece(i: number): void {
     const { data, piece } = this;
     for (let v = 0; v < 3; v++) {
       piece[PIECE * i + v] = data[STRIDE * i + v]!;
       piece[PIECE * i + 4 + v] = data[STRIDE * i + 3 + v]!;
     }
-  }
-
-  /** Finds what tells block `b` apart. */
-  #bound(b: number): void {
-    const { block, first, piece } = this;
-    const from = first[b]!;
-    const to = first[b + 1]!;
-    let x = 0;
-    let y = 0;
-    let z = 0;
-    let n = 0;
-    for (let p = PIECE * from; p < PIECE * to; p += PIECE) {
-      if (piece[p] === AWAY) continue;
-      x += piece[p]!;
-      y += piece[p + 1]!;
-      z += piece[p + 2]!;
-      n++;
-    }
-    x = n > 0 ? x / n : AWAY;
-    y /= Math.max(1, n);
-    z /= Math.max(1, n);
-    let extent = 0;
-    let kind = GOES_ON;
-    const nx = piece[PIECE * from + 4]!;
-    const ny = piece[PIECE * from + 5]!;
-    const nz = piece[PIECE * from + 6]!;
-    for (let p = PIECE * from; p < PIECE * to; p += PIECE) {
-      if (piece[p] === AWAY) continue;
-      const dx = piece[p]! - x;
-      const dy = piece[p + 1]! - y;
-      const dz = piece[p + 2]! - z;
-      extent = Math.max(extent, Math.sqrt(dx * dx + dy * dy + dz * dz) + piece[p + 3]!);
-      const alike = nx * piece[p + 4]! + ny * piece[p + 5]! + nz * piece[p + 6]!;
-      const off = Math.abs(nx * dx + ny * dy + nz * dz);
-      if (piece[p + 7] !== GOES_ON || alike < SAME_NORMAL || off > SAME_PLANE) kind = MIXED;
-    }
-    const o = PIECE * b;
-    block[o] = x;
-    block[o + 1] = y;
-    block[o + 2] = z;
-    block[o + 3] = extent;
-    block[o + 4] = nx;
-    block[o + 5] = ny;
-    block[o + 6] = nz;
-    block[o + 7] = kind;
-  }
-
-  /**
-   * Where the rays through the corners of what the texel reaches meet its plane, cut at the creases with all eight
-   * neighbours, in tangent coordinates.
-   */
-  #setCorners(i: number, texel: number, o: number, field: SurfaceField, table: Int32Array): void {
-    const n = this.resolution;
-    const { data } = this;
-    const { forward: f, right: r, up: u } = FACES[Math.floor(texel / (n * n))]!;
-    const x = texel % n;
-    const y = Math.floor(texel / n) % n;
-    const s = SIDES * texel;
-    const { reach, link } = this.#extents;
-    const px = data[o]!;
-    const py = data[o + 1]!;
-    const pz = data[o + 2]!;
-    const nx = data[o + 3]!;
-    const ny = data[o + 4]!;
-    const nz = data[o + 5]!;
-    const offset = nx * px + ny * py + nz * pz;
-    for (let c = 0; c < 4; c++) {
-      // Counter-clockwise: (+x, +y), (-x, +y), (-x, -y), (+x, -y).
-      const dx = c === 0 || c === 3 ? reach[s]! : -reach[s + 1]!;
-      const dy = c < 2 ? reach[s + 2]! : -reach[s + 3]!;
-      const a = (2 * (x + dx) + 1) / n - 1;
-      const b = (2 * (y + dy) + 1) / n - 1;
-      const rx = f[0] + a * r[0] + b * u[0];
-      const ry = f[1] + a * r[1] + b * u[1];
-      const rz = f[2] + a * r[2] + b * u[2];
-      const depth = offset / (nx * rx + ny * ry + nz * rz);
-      const qx = depth * rx - px;
-      const qy = depth * ry - py;
-      const qz = depth * rz - pz;
-      let along = qx * data[o + 6]! + qy * data[o + 7]! + qz * data[o + 8]!;
-      let across = qx * data[o + 9]! + qy * data[o + 10]! + qz * data[o + 11]!;
-      // Edge-on, a ray may miss the plane or meet it far away: no extent is better than a wild one.
-      if (!(depth > 0 && along * along + across * across < 1)) along = across = 0;
-      this.#polygon[2 * c] = along;
-      this.#polygon[2 * c + 1] = across;
-    }
-    let corners = 4;
-    for (let side = 0; side < SIDES; side++) {
-      if (link[s + side] !== CREASE) continue;
-      corners = this.#cutAt(field, table[s + side]!, o, corners);
-    }
-    for (let dy = -1; dy <= 1; dy += 2) {
-      if (y + dy < 0 || y + dy >= n) continue;
-      for (let dx = -1; dx <= 1; dx += 2) {
-        if (x + dx < 0 || x + dx >= n) continue;
-        const j = texel + dy * n + dx;
-        const k = 3 * j;
-        const { normal } = field;
-        // Alike, there is nothing to cut.
-        const same =
-          normal[k]! * normal[3 * texel]! +
-          normal[k + 1]! * normal[3 * texel + 1]! +
-          normal[k + 2]! * normal[3 * texel + 2]!;
-        if (same > 0.9999 || meeting(field, texel, j) !== CREASE) continue;
-        corners = this.#cutAt(field, j, o, corners);
-      }
-    }
-    let extent = 0;
-    for (let c = 0; c < corners; c++) {
-      const along = this.#polygon[2 * c]!;
-      const across = this.#polygon[2 * c + 1]!;
-      data[o + CORNERS + 1 + 2 * c] = along;
-      data[o + CORNERS + 2 + 2 * c] = across;
-      extent = Math.max(extent, along * along + across * across);
-    }
-    data[o + CORNERS] = corners;
-    this.piece[PIECE * i + 3] = Math.sqrt(extent);
-  }
-
-  /** Cuts `#polygon`, in the plane of the surfel at `o`, along the plane of texel `j`. */
-  #cutAt(field: SurfaceField, j: number, o: number, corners: number): number {
-    if (corners === MOST_CORNERS) return corners;
-    const { data } = this;
-    const { direction, distance, normal } = field;
-    const k = 3 * j;
-    const mx = normal[k]!;
-    const my = normal[k + 1]!;
-    const mz = normal[k + 2]!;
-    const d = distance[j]!;
-    const offset = d * (mx * direction[k]! + my * direction[k + 1]! + mz * direction[k + 2]!);
-    let own = mx * data[o]! + my * data[o + 1]! + mz * data[o + 2]! - offset;
-    let along = mx * data[o + 6]! + my * data[o + 7]! + mz * data[o + 8]!;
-    let across = mx * data[o + 9]! + my * data[o + 10]! + mz * data[o + 11]!;
-    // What lies toward the neighbour goes: where its ray would meet this plane. (The own point may lie on the crease.)
-    const nx = data[o + 3]!;
-    const ny = data[o + 4]!;
-    const nz = data[o + 5]!;
-    const rx = direction[k]!;
-    const ry = direction[k + 1]!;
-    const rz = direction[k + 2]!;
-    const height = nx * data[o]! + ny * data[o + 1]! + nz * data[o + 2]!;
-    const depth = height / (nx * rx + ny * ry + nz * rz);
-    if (depth * (mx * rx + my * ry + mz * rz) > offset) {
-      own = -own;
-      along = -along;
-      across = -across;
-    }
-    const polygon = this.#polygon;
-    const cut = this.#cut;
-    let n = 0;
-    let ax = polygon[2 * corners - 2]!;
-    let ay = polygon[2 * corners - 1]!;
-    let a = own + along * ax + across * ay;
-    for (let c = 0; c < corners; c++) {
-      const bx = polygon[2 * c]!;
-      const by = polygon[2 * c + 1]!;
-      const b = own + along * bx + across * by;
-      if (a >= 0 !== b >= 0) {
-        const t = a / (a - b);
-        cut[2 * n] = ax + t * (bx - ax);
-        cut[2 * n + 1] = ay + t * (by - ay);
-        n++;
-      }
-      if (b >= 0 && n < MOST_CORNERS) {
-        cut[2 * n] = bx;
-        cut[2 * n + 1] = by;
-        n++;
-      }
-      ax = bx;
-      ay = by;
-      a = b;
-    }
-    if (n === 0) return corners;
-    this.#polygon = cut;
-    this.#cut = polygon;
-    return n;
   }
 }
 

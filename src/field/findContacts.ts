@@ -4,7 +4,7 @@ import type { FieldMemory, KeptField } from './FieldMemory.js';
 import { SIDES } from './neighbours.js';
 import { axis, isOutOfReach, PIECE } from './pieces.js';
 import { nearest, surfelDistance } from './surfelDistance.js';
-import { STRIDE } from './Surfels.js';
+import { STRIDE } from './layout.js';
 
 /** Normals closer than this (1.8°) count as one. */
 const SAME_NORMAL = 0.9995;

@@ -11,6 +11,11 @@ export const ENDS = 1;
 /** In one plane, which goes on all around: where it is nearest only beyond its own border, a neighbour is nearer. */
 export const GOES_ON = 2;
 
+/** Where pieces go that no longer hold, metres. */
+export const AWAY = 1e6;
+/** A block's surfels lie in one plane if their normals are closer than this (0.8°) and none is farther off, metres. */
+const SAME_NORMAL = 0.9999;
+const SAME_PLANE = 1e-4;
 /** How far beyond its border a place must lie to be some neighbour's for sure, as a part of its size. */
 const ASIDE = 0.2;
 
@@ -46,4 +51,52 @@ export function isOutOfReach(piece: Float32Array, p: number): boolean {
   const height = level + up * dy;
   const border = (1 + ASIDE) * extent;
   return squared - height * height > border * border;
+}
+
+/** Finds what tells block `b`, made of pieces `from` to (less) `to`, apart. */
+export function boundBlock(
+  piece: Float32Array,
+  from: number,
+  to: number,
+  block: Float32Array,
+  b: number,
+): void {
+  let x = 0;
+  let y = 0;
+  let z = 0;
+  let n = 0;
+  for (let p = PIECE * from; p < PIECE * to; p += PIECE) {
+    if (piece[p] === AWAY) continue;
+    x += piece[p]!;
+    y += piece[p + 1]!;
+    z += piece[p + 2]!;
+    n++;
+  }
+  x = n > 0 ? x / n : AWAY;
+  y /= Math.max(1, n);
+  z /= Math.max(1, n);
+  let extent = 0;
+  let kind = GOES_ON;
+  const nx = piece[PIECE * from + 4]!;
+  const ny = piece[PIECE * from + 5]!;
+  const nz = piece[PIECE * from + 6]!;
+  for (let p = PIECE * from; p < PIECE * to; p += PIECE) {
+    if (piece[p] === AWAY) continue;
+    const dx = piece[p]! - x;
+    const dy = piece[p + 1]! - y;
+    const dz = piece[p + 2]! - z;
+    extent = Math.max(extent, Math.sqrt(dx * dx + dy * dy + dz * dz) + piece[p + 3]!);
+    const alike = nx * piece[p + 4]! + ny * piece[p + 5]! + nz * piece[p + 6]!;
+    const off = Math.abs(nx * dx + ny * dy + nz * dz);
+    if (piece[p + 7] !== GOES_ON || alike < SAME_NORMAL || off > SAME_PLANE) kind = MIXED;
+  }
+  const o = PIECE * b;
+  block[o] = x;
+  block[o + 1] = y;
+  block[o + 2] = z;
+  block[o + 3] = extent;
+  block[o + 4] = nx;
+  block[o + 5] = ny;
+  block[o + 6] = nz;
+  block[o + 7] = kind;
 }

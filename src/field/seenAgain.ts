@@ -1,7 +1,8 @@
 import type { Object3D, Quaternion } from 'three';
 import { directionTexel } from '../cube/texelDirections.js';
 import { GOES_ON, PIECE } from './pieces.js';
-import { CORNERS, STRIDE, type Surfels } from './Surfels.js';
+import { CORNERS, STRIDE } from './layout.js';
+import type { Surfels } from './Surfels.js';
 
 /** Planes no farther apart than this are one, metres. */
 const SAME_PLANE = 0.001;

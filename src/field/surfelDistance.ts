@@ -1,5 +1,6 @@
 import { axis } from './pieces.js';
-import { CORNERS, STRIDE, type Surfels } from './Surfels.js';
+import { CORNERS, STRIDE } from './layout.js';
+import type { Surfels } from './Surfels.js';
 
 /**
  * What `surfelDistance` found: the surfel's nearest point x, y, z, relative to `Surfels.origin`; the height of the

@@ -1,7 +1,8 @@
 import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { GOES_ON, PIECE } from '../../src/field/pieces.js';
-import { STRIDE, Surfels } from '../../src/field/Surfels.js';
+import { STRIDE } from '../../src/field/layout.js';
+import { Surfels } from '../../src/field/Surfels.js';
 import { cornersOf, dice, drawn, unionDistance, UPRIGHT } from '../support/fields.js';
 import { Ball, Box, ground, Plane, room } from '../support/world/scenes.js';
 import { World } from '../support/world/World.js';

@@ -4,7 +4,8 @@ import type { Capsule } from '../../src/field/Capsule.js';
 import { FieldMemory } from '../../src/field/FieldMemory.js';
 import { PIECE } from '../../src/field/pieces.js';
 import { SurfaceField } from '../../src/field/SurfaceField.js';
-import { CORNERS, STRIDE, type Surfels } from '../../src/field/Surfels.js';
+import { CORNERS, STRIDE } from '../../src/field/layout.js';
+import type { Surfels } from '../../src/field/Surfels.js';
 import type { Judgement, World } from './world/World.js';
 
 /** Fields of analytic worlds and what surfels say of themselves, for the tests of `src/field`. */

@@ -1,0 +1,152 @@
+import { FACES } from '../cube/faces.js';
+import { CREASE, type Extents, meeting } from './extents.js';
+import { CORNERS, MOST_CORNERS } from './layout.js';
+import { SIDES } from './neighbours.js';
+import type { SurfaceField } from './SurfaceField.js';
+
+/** A polygon being cut, and what is left of it. */
+let polygon = new Float32Array(2 * (MOST_CORNERS + 1));
+let cut = new Float32Array(2 * (MOST_CORNERS + 1));
+
+/**
+ * Where the rays through the corners of what the texel reaches meet its plane, cut at the creases with all eight
+ * neighbours, in tangent coordinates. Written into `data`, behind the surfel's planes at `o`.
+ *
+ * @param table `neighbours(field.resolution)`
+ * @returns how far from its point the farthest lies, metres
+ */
+export function setCorners(
+  data: Float32Array,
+  o: number,
+  field: SurfaceField,
+  texel: number,
+  table: Int32Array,
+  { reach, link }: Extents,
+): number {
+  const n = field.resolution;
+  const { forward: f, right: r, up: u } = FACES[Math.floor(texel / (n * n))]!;
+  const x = texel % n;
+  const y = Math.floor(texel / n) % n;
+  const s = SIDES * texel;
+  const px = data[o]!;
+  const py = data[o + 1]!;
+  const pz = data[o + 2]!;
+  const nx = data[o + 3]!;
+  const ny = data[o + 4]!;
+  const nz = data[o + 5]!;
+  const offset = nx * px + ny * py + nz * pz;
+  for (let c = 0; c < 4; c++) {
+    // Counter-clockwise: (+x, +y), (-x, +y), (-x, -y), (+x, -y).
+    const dx = c === 0 || c === 3 ? reach[s]! : -reach[s + 1]!;
+    const dy = c < 2 ? reach[s + 2]! : -reach[s + 3]!;
+    const a = (2 * (x + dx) + 1) / n - 1;
+    const b = (2 * (y + dy) + 1) / n - 1;
+    const rx = f[0] + a * r[0] + b * u[0];
+    const ry = f[1] + a * r[1] + b * u[1];
+    const rz = f[2] + a * r[2] + b * u[2];
+    const depth = offset / (nx * rx + ny * ry + nz * rz);
+    const qx = depth * rx - px;
+    const qy = depth * ry - py;
+    const qz = depth * rz - pz;
+    let along = qx * data[o + 6]! + qy * data[o + 7]! + qz * data[o + 8]!;
+    let across = qx * data[o + 9]! + qy * data[o + 10]! + qz * data[o + 11]!;
+    // Edge-on, a ray may miss the plane or meet it far away: no extent is better than a wild one.
+    if (!(depth > 0 && along * along + across * across < 1)) along = across = 0;
+    polygon[2 * c] = along;
+    polygon[2 * c + 1] = across;
+  }
+  let corners = 4;
+  for (let side = 0; side < SIDES; side++) {
+    if (link[s + side] !== CREASE) continue;
+    corners = cutAt(data, field, table[s + side]!, o, corners);
+  }
+  for (let dy = -1; dy <= 1; dy += 2) {
+    if (y + dy < 0 || y + dy >= n) continue;
+    for (let dx = -1; dx <= 1; dx += 2) {
+      if (x + dx < 0 || x + dx >= n) continue;
+      const j = texel + dy * n + dx;
+      const k = 3 * j;
+      const { normal } = field;
+      // Alike, there is nothing to cut.
+      const same =
+        normal[k]! * normal[3 * texel]! +
+        normal[k + 1]! * normal[3 * texel + 1]! +
+        normal[k + 2]! * normal[3 * texel + 2]!;
+      if (same > 0.9999 || meeting(field, texel, j) !== CREASE) continue;
+      corners = cutAt(data, field, j, o, corners);
+    }
+  }
+  let extent = 0;
+  for (let c = 0; c < corners; c++) {
+    const along = polygon[2 * c]!;
+    const across = polygon[2 * c + 1]!;
+    data[o + CORNERS + 1 + 2 * c] = along;
+    data[o + CORNERS + 2 + 2 * c] = across;
+    extent = Math.max(extent, along * along + across * across);
+  }
+  data[o + CORNERS] = corners;
+  return Math.sqrt(extent);
+}
+
+/** Cuts `polygon`, in the plane of the surfel at `o`, along the plane of texel `j`. */
+function cutAt(
+  data: Float32Array,
+  field: SurfaceField,
+  j: number,
+  o: number,
+  corners: number,
+): number {
+  if (corners === MOST_CORNERS) return corners;
+  const { direction, distance, normal } = field;
+  const k = 3 * j;
+  const mx = normal[k]!;
+  const my = normal[k + 1]!;
+  const mz = normal[k + 2]!;
+  const d = distance[j]!;
+  const offset = d * (mx * direction[k]! + my * direction[k + 1]! + mz * direction[k + 2]!);
+  let own = mx * data[o]! + my * data[o + 1]! + mz * data[o + 2]! - offset;
+  let along = mx * data[o + 6]! + my * data[o + 7]! + mz * data[o + 8]!;
+  let across = mx * data[o + 9]! + my * data[o + 10]! + mz * data[o + 11]!;
+  // What lies toward the neighbour goes: where its ray would meet this plane. (The own point may lie on the crease.)
+  const nx = data[o + 3]!;
+  const ny = data[o + 4]!;
+  const nz = data[o + 5]!;
+  const rx = direction[k]!;
+  const ry = direction[k + 1]!;
+  const rz = direction[k + 2]!;
+  const height = nx * data[o]! + ny * data[o + 1]! + nz * data[o + 2]!;
+  const depth = height / (nx * rx + ny * ry + nz * rz);
+  if (depth * (mx * rx + my * ry + mz * rz) > offset) {
+    own = -own;
+    along = -along;
+    across = -across;
+  }
+  let n = 0;
+  let ax = polygon[2 * corners - 2]!;
+  let ay = polygon[2 * corners - 1]!;
+  let a = own + along * ax + across * ay;
+  for (let c = 0; c < corners; c++) {
+    const bx = polygon[2 * c]!;
+    const by = polygon[2 * c + 1]!;
+    const b = own + along * bx + across * by;
+    if (a >= 0 !== b >= 0) {
+      const t = a / (a - b);
+      cut[2 * n] = ax + t * (bx - ax);
+      cut[2 * n + 1] = ay + t * (by - ay);
+      n++;
+    }
+    if (b >= 0 && n < MOST_CORNERS) {
+      cut[2 * n] = bx;
+      cut[2 * n + 1] = by;
+      n++;
+    }
+    ax = bx;
+    ay = by;
+    a = b;
+  }
+  if (n === 0) return corners;
+  const rest = polygon;
+  polygon = cut;
+  cut = rest;
+  return n;
+}
