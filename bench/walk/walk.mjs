@@ -48,7 +48,14 @@ async function walkAll(options) {
 /** Of runs on one machine, one after the other or side by side. @param {string[]} files */
 function readResults(files) {
   const [first, ...others] = files.map((file) => JSON.parse(readFileSync(file, 'utf8')));
-  for (const { levels } of others) first.levels.push(...levels);
+  for (const level of others.flatMap(({ levels }) => levels)) {
+    const same = first.levels.find((/** @type {any} */ { name }) => name === level.name);
+    if (same) same.rows.push(...level.rows);
+    else first.levels.push(level);
+  }
+  for (const { rows } of first.levels) {
+    rows.sort((/** @type {any} */ a, /** @type {any} */ b) => a.hz - b.hz || b.frames - a.frames);
+  }
   return first;
 }
 
