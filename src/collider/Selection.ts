@@ -1,4 +1,5 @@
-import type { Material, Mesh, Object3D, Vector3 } from 'three';
+import type { BatchedMesh, Material, Mesh, Object3D, Vector3 } from 'three';
+import type { BatchList } from './BatchList.js';
 import { createObjectProxy, type ObjectProxy } from './objectProxy.js';
 import { SceneWalk, type SelectionRules, type WalkListener } from './SceneWalk.js';
 
@@ -14,6 +15,11 @@ export class Selection {
   readonly #proxyOf = new WeakMap<Mesh, ObjectProxy>();
   #count = 0;
   #dress!: Dress;
+  #center!: Vector3;
+  #far = 0;
+  /** Of the batches among them. */
+  readonly #batches = new Set<BatchList>();
+  #selections = 0;
 
   readonly #walk = new SceneWalk({
     solid: (mesh, faces) => {
@@ -24,13 +30,19 @@ export class Selection {
       // Written over, not emptied and pushed: an emptied array gives its storage back.
       this.proxies[this.#count++] = proxy;
       proxy.drawNumber = this.#count;
+      if (proxy.batch === null) return;
+      proxy.batch.gather(mesh as BatchedMesh, proxy, this.#center, this.#far);
+      proxy.batch.selection = this.#selections;
+      this.#batches.add(proxy.batch);
     },
     sensor: () => {},
   } satisfies WalkListener);
 
-  /** Lets go of the user's objects. */
+  /** Lets go of the user's objects, and of what their batches have on the GPU. */
   clear(): void {
     this.proxies.length = 0;
+    for (const batch of this.#batches) batch.dispose();
+    this.#batches.clear();
   }
 
   /**
@@ -42,8 +54,21 @@ export class Selection {
    */
   select(scene: Object3D, center: Vector3, far: number, rules: SelectionRules, dress: Dress): void {
     this.#dress = dress;
+    this.#center = center;
+    this.#far = far;
     this.#count = 0;
+    this.#selections++;
     this.#walk.walk(scene, center, far, rules);
     this.proxies.length = this.#count;
+    if (this.#batches.size > 0) this.#dropBatches();
+  }
+
+  /** Batches that went need no list. */
+  #dropBatches(): void {
+    for (const batch of this.#batches) {
+      if (batch.selection === this.#selections) continue;
+      batch.dispose();
+      this.#batches.delete(batch);
+    }
   }
 }

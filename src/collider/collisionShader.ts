@@ -24,12 +24,13 @@ varying vec3 vFromCenter; // from the cubemap's centre to the surface, world axe
 varying vec2 vInstance; // its number's digits to the base of 4096, rounded by the fragment shader
 
 void main() {
-  #ifdef USE_INSTANCING
-    // Not one flat number: several drivers can have flat ones only by rewriting the geometry.
-    vInstance = vec2( float( gl_InstanceID >> 12 ), float( gl_InstanceID & 4095 ) );
+  #ifdef USE_BATCHING
+    int instance = int( getIndirectIndex( gl_DrawID ) );
   #else
-    vInstance = vec2( 0.0 );
+    int instance = gl_InstanceID;
   #endif
+  // Not one flat number: several drivers can have flat ones only by rewriting the geometry.
+  vInstance = vec2( float( instance >> 12 ), float( instance & 4095 ) );
   #include <batching_vertex>
   #include <morphinstance_vertex>
   #include <begin_vertex>

@@ -1,4 +1,5 @@
 import { type BatchedMesh, type InstancedMesh, Material, type Mesh, type SkinnedMesh } from 'three';
+import { partsOf } from './BatchList.js';
 import { isSolid } from './isSolid.js';
 
 /**
@@ -11,7 +12,7 @@ export function isRigid(mesh: Mesh): boolean {
     const morphs = mesh.geometry.morphAttributes.position;
     if (morphs !== undefined && morphs.length > 0) return false;
   }
-  if ((mesh as BatchedMesh).isBatchedMesh && batchVersion(mesh) < 0) return false;
+  if ((mesh as BatchedMesh).isBatchedMesh && partsOf(mesh) === null) return false;
   const { material } = mesh;
   if (!Array.isArray(material)) return keepsShape(material);
   for (let i = 0; i < material.length; i++) {
@@ -21,16 +22,21 @@ export function isRigid(mesh: Mesh): boolean {
 }
 
 /**
- * A number that changes with a batch's matrices and its instances' visibility. three tells neither openly; -1 where it
- * keeps them otherwise than it does today.
+ * A number that changes with a batch's matrices and with which instances it shows, of which geometry. three tells none
+ * of it openly (and unsays at the user's next render that visibility changed); -1 where it keeps them otherwise than
+ * today.
  */
 export function batchVersion(mesh: Mesh): number {
-  const { _matricesTexture: matrices, _visibilityChanged: shown } = mesh as unknown as {
-    _matricesTexture?: { version?: number } | null;
-    _visibilityChanged?: boolean;
-  };
-  if (typeof matrices?.version !== 'number' || typeof shown !== 'boolean') return -1;
-  return 2 * matrices.version + (shown ? 1 : 0);
+  const parts = partsOf(mesh);
+  if (parts === null) return -1;
+  const { _instanceInfo: instances } = parts;
+  let number = parts._matricesTexture!.version + instances.length;
+  for (let i = 0; i < instances.length; i++) {
+    const { visible, active, geometryIndex } = instances[i]!;
+    // Kept to 30 bits, which every engine holds without an object.
+    number = (31 * number + (active && visible ? 1 + geometryIndex : 0)) & 0x3fffffff;
+  }
+  return number;
 }
 
 function keepsShape(material: Material): boolean {

@@ -1,4 +1,13 @@
-import { Layers, type Material, Matrix3, Matrix4, type Mesh, type ShaderMaterial } from 'three';
+import {
+  type BatchedMesh,
+  Layers,
+  type Material,
+  Matrix3,
+  Matrix4,
+  type Mesh,
+  type ShaderMaterial,
+} from 'three';
+import { BatchList } from './BatchList.js';
 
 /** A stand-in for a user's mesh in the collider's own scene. */
 export interface ObjectProxy extends Mesh {
@@ -7,6 +16,8 @@ export interface ObjectProxy extends Mesh {
   readonly source: Mesh;
   /** Its number in the draw, from 1. */
   drawNumber: number;
+  /** Which of a batch's instances are drawn; null of all else. */
+  readonly batch: BatchList | null;
 }
 
 const nothing = () => {};
@@ -37,6 +48,7 @@ export function createObjectProxy(mesh: Mesh): ObjectProxy {
   return Object.create(mesh, {
     source: own(mesh),
     drawNumber: own(0),
+    batch: own((mesh as BatchedMesh).isBatchedMesh ? new BatchList() : null),
     parent: own(null),
     children: own([]),
     visible: own(true),

@@ -24,7 +24,7 @@ describe('what is rigid', () => {
   hooked.onBeforeCompile = () => {};
   const displaced = new MeshStandardMaterial({ displacementMap: new Texture() });
   const strange = new BatchedMesh(1, 24, 36, new MeshBasicMaterial());
-  Object.assign(strange, { _visibilityChanged: undefined });
+  Object.assign(strange, { _instanceInfo: undefined });
   const recoloured = new BoxGeometry();
   recoloured.morphAttributes.color = [new Float32BufferAttribute(72, 3)];
 
