@@ -76,6 +76,8 @@ export class CubeCollider extends Object3D {
   readonly #state = new RendererState();
   readonly #scene = new PrivateScene();
   readonly #newest: NewestRead;
+  /** Told of already. */
+  readonly #faulty = new WeakSet<Object3D>();
   readonly #warnings = new Warnings('CubeCollider');
   #gpu: ColliderResources | null = null;
   #far: number;
@@ -95,6 +97,7 @@ export class CubeCollider extends Object3D {
     layers: this.layers,
     excluded: this.#excluded,
     filter: (object) => this.#passes(object),
+    faulty: (mesh, fault) => this.#tellOf(mesh, fault),
   };
   readonly #dress;
   readonly #client: ReadbackClient = {
@@ -347,6 +350,14 @@ export class CubeCollider extends Object3D {
       this.#warnings.once(`"filter" threw ${String(error)}; the object counts as solid.`, 'filter');
       return true;
     }
+  }
+
+  /** Says once of each object why it is no obstacle. */
+  #tellOf(object: Object3D, fault: string): void {
+    if (this.#faulty.has(object)) return;
+    this.#faulty.add(object);
+    const name = object.name === '' ? object.uuid : `"${object.name}"`;
+    this.#warnings.once(`${object.type} ${name} ${fault}; it is no obstacle.`, object.uuid);
   }
 
   #stampOf(center: Vector3, time: number): DrawStamp {

@@ -1,6 +1,17 @@
-import { type Layers, type Material, type Mesh, type Object3D, Sphere, type Vector3 } from 'three';
+import {
+  type Layers,
+  type LOD,
+  type Material,
+  type Mesh,
+  type Object3D,
+  Sphere,
+  type Vector3,
+} from 'three';
 import { FACES } from '../cube/faces.js';
+import { faultOf } from './faultOf.js';
 import { isSolid } from './isSolid.js';
+import { isLevel, levelShown } from './levelShown.js';
+import { worldSphere } from './worldSphere.js';
 
 /** What decides whether an object is solid. */
 export interface SelectionRules {
@@ -10,6 +21,8 @@ export interface SelectionRules {
   readonly filter: ((object: Object3D) => boolean) | null;
   /** Left out with all below them: the character's own avatar. */
   readonly excluded: ReadonlySet<Object3D>;
+  /** Told of each mesh that cannot be drawn, in every walk that comes near it. */
+  readonly faulty?: (mesh: Mesh, fault: string) => void;
 }
 
 /** Who is told what a walk finds. */
@@ -61,15 +74,28 @@ export class SceneWalk {
     else if ((object as Mesh).isMesh && object.layers.test(this.#rules.layers))
       this.#considerMesh(object as Mesh);
     const { children } = object;
-    for (let i = 0; i < children.length; i++) this.#visit(children[i]!);
+    if ((object as LOD).isLOD) this.#visitLevels(object as LOD);
+    else for (let i = 0; i < children.length; i++) this.#visit(children[i]!);
+  }
+
+  #visitLevels(lod: LOD): void {
+    const shown = levelShown(lod, this.#center);
+    const { children } = lod;
+    for (let i = 0; i < children.length; i++) {
+      const child = children[i]!;
+      if (shown === null || child === shown || !isLevel(lod, child)) this.#visit(child);
+    }
   }
 
   #considerMesh(mesh: Mesh): void {
-    if (!anySolid(mesh.material) || !mesh.geometry?.attributes.position) return;
+    // Without any it is told of below.
+    if ((mesh.material ?? null) !== null && !anySolid(mesh.material)) return;
     const faces = mesh.frustumCulled ? this.#facesTouched(mesh) : ALL_FACES;
     if (faces === 0) return;
     if (this.#rules.filter?.(mesh) === false) return;
-    this.#listener.solid(mesh, faces);
+    const fault = faultOf(mesh);
+    if (fault === null) this.#listener.solid(mesh, faces);
+    else this.#rules.faulty?.(mesh, fault);
   }
 
   /** It needs no material: only where its geometry is matters. */
@@ -78,9 +104,9 @@ export class SceneWalk {
     if (this.#facesTouched(object) !== 0) this.#listener.sensor(object);
   }
 
-  /** A bit for each face whose pyramid the mesh's bounding sphere touches; 0 if it is out of reach. */
+  /** A bit for each face whose pyramid the mesh's bounding sphere touches; 0 if it is out of reach, all if it has none. */
   #facesTouched(mesh: Mesh): number {
-    worldSphere(mesh, sphere);
+    if (!worldSphere(mesh, sphere)) return ALL_FACES;
     if (!(sphere.radius >= 0)) return 0;
     const x = sphere.center.x - this.#center.x;
     const y = sphere.center.y - this.#center.y;
@@ -99,22 +125,6 @@ export class SceneWalk {
     }
     return mask;
   }
-}
-
-/** The bounding sphere the renderer would cull by, world space. */
-function worldSphere(mesh: Mesh, target: Sphere): void {
-  const bounded = mesh as Mesh & {
-    boundingSphere?: Sphere | null;
-    computeBoundingSphere?: () => void;
-  };
-  if (bounded.boundingSphere !== undefined) {
-    if (bounded.boundingSphere === null) bounded.computeBoundingSphere!();
-    target.copy(bounded.boundingSphere!);
-  } else {
-    if (mesh.geometry.boundingSphere === null) mesh.geometry.computeBoundingSphere();
-    target.copy(mesh.geometry.boundingSphere!);
-  }
-  target.applyMatrix4(mesh.matrixWorld);
 }
 
 function anySolid(material: Material | Material[]): boolean {

@@ -1,4 +1,5 @@
 import {
+  Bone,
   BoxGeometry,
   BufferAttribute,
   type Material,
@@ -14,13 +15,15 @@ export function box(...material: Material[]): Mesh<BoxGeometry, Material | Mater
   return new Mesh<BoxGeometry, Material | Material[]>(new BoxGeometry(), worn);
 }
 
-/** A unit cube with weights for a skeleton without bones. */
+/** A unit cube on a skeleton of one bone. */
 export function skinned(): SkinnedMesh {
   const geometry = new BoxGeometry();
-  const bones = new BufferAttribute(new Uint8Array(4 * 24), 4);
-  geometry.setAttribute('skinIndex', bones);
-  geometry.setAttribute('skinWeight', bones);
+  const first = Float32Array.from({ length: 4 * 24 }, (_, i) => (i % 4 === 0 ? 1 : 0));
+  geometry.setAttribute('skinIndex', new BufferAttribute(new Uint8Array(4 * 24), 4));
+  geometry.setAttribute('skinWeight', new BufferAttribute(first, 4));
   const mesh = new SkinnedMesh(geometry, new MeshBasicMaterial());
-  mesh.bind(new Skeleton([]));
+  const bone = new Bone();
+  mesh.add(bone);
+  mesh.bind(new Skeleton([bone]));
   return mesh;
 }

@@ -1,0 +1,34 @@
+import type { BatchedMesh, InstancedMesh, Mesh, SkinnedMesh, Sphere } from 'three';
+import { PartsSphere } from './PartsSphere.js';
+import { SkinSphere } from './SkinSphere.js';
+
+const parts = /* @__PURE__ */ new WeakMap<Mesh, PartsSphere>();
+const skins = /* @__PURE__ */ new WeakMap<Mesh, SkinSphere>();
+
+/**
+ * A sphere around all that a mesh shows now, world space: three's own, where it can be trusted. three computes those of
+ * instances, batches and skins once, and again only if told to; theirs are ours, and the user's are left alone.
+ *
+ * @returns whether there is one; if not, nobody knows where the mesh ends
+ */
+export function worldSphere(mesh: Mesh, target: Sphere): boolean {
+  try {
+    if ((mesh as SkinnedMesh).isSkinnedMesh) {
+      let skin = skins.get(mesh);
+      if (skin === undefined) skins.set(mesh, (skin = new SkinSphere()));
+      skin.find(mesh as SkinnedMesh, target);
+    } else if ((mesh as InstancedMesh).isInstancedMesh || (mesh as BatchedMesh).isBatchedMesh) {
+      let sphere = parts.get(mesh);
+      if (sphere === undefined) parts.set(mesh, (sphere = new PartsSphere()));
+      target.copy(sphere.of(mesh as InstancedMesh | BatchedMesh)).applyMatrix4(mesh.matrixWorld);
+    } else {
+      const { geometry } = mesh;
+      if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
+      target.copy(geometry.boundingSphere!).applyMatrix4(mesh.matrixWorld);
+    }
+  } catch {
+    // Positions that were uploaded and thrown away, for one.
+    return false;
+  }
+  return !Number.isNaN(target.radius + target.center.x + target.center.y + target.center.z);
+}
