@@ -90,7 +90,8 @@ export class SceneWalk {
   #considerMesh(mesh: Mesh): void {
     // Without any it is told of below.
     if ((mesh.material ?? null) !== null && !anySolid(mesh.material)) return;
-    const faces = mesh.frustumCulled ? this.#facesTouched(mesh) : ALL_FACES;
+    const placed = mesh.frustumCulled && mesh.geometry?.attributes.position;
+    const faces = placed ? this.#facesTouched(mesh) : ALL_FACES;
     if (faces === 0) return;
     if (this.#rules.filter?.(mesh) === false) return;
     const fault = faultOf(mesh);

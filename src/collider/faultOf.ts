@@ -11,10 +11,7 @@ export function faultOf(mesh: Mesh): string | null {
   const attributes = geometry?.attributes;
   if (attributes === undefined) return 'has no geometry';
   const { position } = attributes;
-  if (position === undefined || position === null) {
-    // A batch has its attributes from the first geometry it is given.
-    return (mesh as BatchedMesh).isBatchedMesh ? null : 'has no attribute "position"';
-  }
+  if (!position) return 'has no attribute "position"';
   if (position.count === 0 || geometry.index?.count === 0) return 'has an empty geometry';
   const morphs = geometry.morphAttributes.position;
   if (

@@ -1,0 +1,23 @@
+import { mkdirSync, writeFileSync } from 'node:fs';
+
+/** A line of the table in docs/solid.md. */
+export interface SolidRow {
+  kind: string;
+  group: 'material' | 'geometry' | 'policy';
+  /** Largest error of distance, metres. */
+  worst: number;
+  texels: number;
+  /** Draw calls and programs that one cubemap of it alone takes. */
+  draws: number;
+  programs: number;
+  note?: string;
+}
+
+/** Notes what a test measured, for `npm run build:solid`. */
+export function writeRow(row: SolidRow): void {
+  // The table tells of the newest three.
+  if (process.env.THREE_VERSION === 'oldest') return;
+  mkdirSync('test-results/solid', { recursive: true });
+  const name = row.kind.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-');
+  writeFileSync(`test-results/solid/${name}.json`, `${JSON.stringify(row)}\n`);
+}
