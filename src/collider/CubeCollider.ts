@@ -18,6 +18,7 @@ import type { DrawStamp } from './ReadbackRing.js';
 import type { ReadbackClient } from './ReadbackScheduler.js';
 import { PrivateScene } from './PrivateScene.js';
 import { RendererState } from './RendererState.js';
+import { SceneIndex } from './SceneIndex.js';
 import type { SelectionRules } from './SceneWalk.js';
 import { Selection } from './Selection.js';
 import { Survey, type SurveyReport } from './Survey.js';
@@ -71,8 +72,9 @@ export class CubeCollider extends Object3D {
 
   readonly #settings: CubeColliderSettings;
   readonly #excluded = new Set<Object3D>();
-  readonly #selection = new Selection();
-  readonly #survey = new Survey();
+  readonly #index = new SceneIndex();
+  readonly #selection = new Selection(this.#index);
+  readonly #survey = new Survey(this.#index);
   readonly #state = new RendererState();
   readonly #scene = new PrivateScene();
   readonly #newest: NewestRead;
@@ -234,9 +236,9 @@ export class CubeCollider extends Object3D {
   }
 
   /**
-   * Looks at what is solid around the last draw, by the same rules and within the same reach, and brings the scene's
-   * world matrices up to date; draws nothing. Whoever keeps a field for many frames asks this in each: it is one walk
-   * over the scene's visible objects, whatever their triangles.
+   * Looks at what is solid around the last draw, by the same rules and within the same reach, and brings the world
+   * matrices of what is near up to date; draws nothing. Whoever keeps a field for many frames asks this in each: it
+   * costs what is near, and an eighth of the scene's other objects, whatever their triangles.
    *
    * Without a draw, or after `invalidate`, everything is `changed`. What cannot be surveyed (no scene, disposed) it
    * warns of once, and reports nothing.
@@ -426,6 +428,7 @@ export class CubeCollider extends Object3D {
     this.invalidate();
     this.#selection.clear();
     this.#survey.clear();
+    this.#index.clear();
     this.#newest.clear();
     this.#stamp.objects.clear();
     this.#gpu?.dispose();

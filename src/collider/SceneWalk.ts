@@ -11,7 +11,8 @@ import { FACES } from '../cube/faces.js';
 import { faultOf } from './faultOf.js';
 import { isSolid } from './isSolid.js';
 import { isLevel, levelShown } from './levelShown.js';
-import { worldSphere } from './worldSphere.js';
+import type { SceneIndex } from './SceneIndex.js';
+import type { SceneNode } from './SceneNode.js';
 
 /** What decides whether an object is solid. */
 export interface SelectionRules {
@@ -37,61 +38,71 @@ const ALL_FACES = 0b111111;
 const sphere = new Sphere();
 
 /**
- * Walks the visible scene and tells what the cubemap may see of it: one set of rules for what is drawn and for what is
- * looked at between draws. It does not know which objects moved, so its cost grows with the number of objects (not with
- * their triangles).
+ * Tells what the cubemap may see of a scene: one set of rules for what is drawn and for what is looked at between draws.
+ * It asks only those that its index holds to be near, so its cost does not grow with what is far.
  */
 export class SceneWalk {
+  readonly #index: SceneIndex;
   readonly #listener: WalkListener;
   #rules!: SelectionRules;
   #center!: Vector3;
   #far = 0;
 
-  constructor(listener: WalkListener) {
+  constructor(index: SceneIndex, listener: WalkListener) {
+    this.#index = index;
     this.#listener = listener;
   }
 
   /**
-   * Refreshes the scene's world matrices as its next render would, then walks it. Allocates nothing.
+   * Refreshes the world matrices of what is near as the scene's next render would, then tells of it. Allocates nothing
+   * where nothing came or went.
    *
    * @param center world space
    * @param far metres
+   * @param scan whether to look at a part of what is far as well, for what has moved: once a frame
    */
-  walk(scene: Object3D, center: Vector3, far: number, rules: SelectionRules): void {
-    if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
+  walk(scene: Object3D, center: Vector3, far: number, rules: SelectionRules, scan: boolean): void {
     this.#rules = rules;
     this.#center = center;
     this.#far = far;
-    this.#visit(scene);
+    this.#index.update(scene, center, far, scan);
+    const { near, call } = this.#index;
+    for (let i = 0; i < near.length; i++) this.#consider(near[i]!, call);
   }
 
-  /** Visible objects, as the renderer walks them: an invisible one hides what is below it. */
-  #visit(object: Object3D): void {
-    const { userData } = object;
-    if (!object.visible || userData.collider === false) return;
-    if (this.#rules.excluded.has(object)) return;
-    if (userData.sensor === true) this.#considerSensor(object as Mesh);
+  #consider(node: SceneNode, call: number): void {
+    if (!this.#shows(node, call)) return;
+    const { object } = node;
+    if (object.userData.sensor === true) this.#considerSensor(node);
     else if ((object as Mesh).isMesh && object.layers.test(this.#rules.layers))
-      this.#considerMesh(object as Mesh);
-    const { children } = object;
-    if ((object as LOD).isLOD) this.#visitLevels(object as LOD);
-    else for (let i = 0; i < children.length; i++) this.#visit(children[i]!);
+      this.#considerMesh(node);
   }
 
-  #visitLevels(lod: LOD): void {
-    const shown = levelShown(lod, this.#center);
-    const { children } = lod;
-    for (let i = 0; i < children.length; i++) {
-      const child = children[i]!;
-      if (shown === null || child === shown || !isLevel(lod, child)) this.#visit(child);
-    }
+  /** As the renderer sees it: an invisible object hides what is below it. So do our own rules. */
+  #shows(node: SceneNode, call: number): boolean {
+    if (node.asked === call) return node.shows;
+    node.asked = call;
+    const { object, parent } = node;
+    node.shows =
+      object.visible &&
+      object.userData.collider !== false &&
+      !this.#rules.excluded.has(object) &&
+      (parent === null || (this.#shows(parent, call) && this.#isShownBy(parent.object, object)));
+    return node.shows;
   }
 
-  #considerMesh(mesh: Mesh): void {
+  /** Of several levels an `LOD` shows one. */
+  #isShownBy(parent: Object3D, child: Object3D): boolean {
+    if (!(parent as LOD).isLOD) return true;
+    const shown = levelShown(parent as LOD, this.#center);
+    return shown === null || child === shown || !isLevel(parent as LOD, child);
+  }
+
+  #considerMesh(node: SceneNode): void {
+    const mesh = node.object as Mesh;
     // Without any it is told of below.
     if ((mesh.material ?? null) !== null && !anySolid(mesh.material)) return;
-    const placed = mesh.frustumCulled && mesh.geometry?.attributes.position;
-    const faces = placed ? this.#facesTouched(mesh) : ALL_FACES;
+    const faces = mesh.frustumCulled ? this.#facesTouched(node) : ALL_FACES;
     if (faces === 0) return;
     if (this.#rules.filter?.(mesh) === false) return;
     const fault = faultOf(mesh);
@@ -100,14 +111,16 @@ export class SceneWalk {
   }
 
   /** It needs no material: only where its geometry is matters. */
-  #considerSensor(object: Mesh): void {
+  #considerSensor(node: SceneNode): void {
+    const object = node.object as Mesh;
     if (!object.geometry?.attributes?.position || !object.layers.test(this.#rules.layers)) return;
-    if (this.#facesTouched(object) !== 0) this.#listener.sensor(object);
+    if (this.#facesTouched(node) !== 0) this.#listener.sensor(object);
   }
 
   /** A bit for each face whose pyramid the mesh's bounding sphere touches; 0 if it is out of reach, all if it has none. */
-  #facesTouched(mesh: Mesh): number {
-    if (!worldSphere(mesh, sphere)) return ALL_FACES;
+  #facesTouched(node: SceneNode): number {
+    this.#index.sphereOf(node, sphere);
+    if (sphere.radius === Infinity) return ALL_FACES;
     if (!(sphere.radius >= 0)) return 0;
     const x = sphere.center.x - this.#center.x;
     const y = sphere.center.y - this.#center.y;

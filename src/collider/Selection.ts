@@ -1,6 +1,7 @@
 import type { BatchedMesh, Material, Mesh, Object3D, Vector3 } from 'three';
 import type { BatchList } from './BatchList.js';
 import { createObjectProxy, type ObjectProxy } from './objectProxy.js';
+import { SceneIndex } from './SceneIndex.js';
 import { SceneWalk, type SelectionRules, type WalkListener } from './SceneWalk.js';
 
 type Dress = (source: Material | Material[]) => Material | Material[];
@@ -21,7 +22,9 @@ export class Selection {
   readonly #batches = new Set<BatchList>();
   #selections = 0;
 
-  readonly #walk = new SceneWalk({
+  readonly #index: SceneIndex;
+  readonly #walk: SceneWalk;
+  readonly #listener: WalkListener = {
     solid: (mesh, faces) => {
       let proxy = this.#proxyOf.get(mesh);
       if (proxy === undefined) this.#proxyOf.set(mesh, (proxy = createObjectProxy(mesh)));
@@ -36,7 +39,13 @@ export class Selection {
       this.#batches.add(proxy.batch);
     },
     sensor: () => {},
-  } satisfies WalkListener);
+  };
+
+  /** @param index of what is where in the scene; shared with whoever surveys it */
+  constructor(index = new SceneIndex()) {
+    this.#index = index;
+    this.#walk = new SceneWalk(index, this.#listener);
+  }
 
   /** Lets go of the user's objects, and of what their batches have on the GPU. */
   clear(): void {
@@ -46,7 +55,7 @@ export class Selection {
   }
 
   /**
-   * Refreshes the scene's world matrices as its next render would, then fills `proxies`.
+   * Refreshes the world matrices of what is near as the scene's next render would, then fills `proxies`.
    *
    * @param center world space
    * @param far metres
@@ -58,7 +67,8 @@ export class Selection {
     this.#far = far;
     this.#count = 0;
     this.#selections++;
-    this.#walk.walk(scene, center, far, rules);
+    this.#walk.walk(scene, center, far, rules, !this.#index.surveyed);
+    this.#index.surveyed = false;
     this.proxies.length = this.#count;
     if (this.#batches.size > 0) this.#dropBatches();
   }

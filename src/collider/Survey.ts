@@ -1,6 +1,7 @@
 import { type Mesh, type Object3D, Vector3 } from 'three';
 import { isRigid } from './isRigid.js';
 import type { ObjectProxy } from './objectProxy.js';
+import { SceneIndex } from './SceneIndex.js';
 import { SceneWalk, type SelectionRules, type WalkListener } from './SceneWalk.js';
 import { SeenMesh } from './SeenMesh.js';
 
@@ -30,7 +31,9 @@ export class Survey {
   #found = 0;
   #sensors = 0;
 
-  readonly #walk = new SceneWalk({
+  readonly #index: SceneIndex;
+  readonly #walk: SceneWalk;
+  readonly #listener: WalkListener = {
     solid: (mesh) => {
       const { report } = this;
       this.#found++;
@@ -47,7 +50,13 @@ export class Survey {
     sensor: (object) => {
       this.report.sensors[this.#sensors++] = object;
     },
-  } satisfies WalkListener);
+  };
+
+  /** @param index of what is where in the scene; shared with whoever selects from it */
+  constructor(index = new SceneIndex()) {
+    this.#index = index;
+    this.#walk = new SceneWalk(index, this.#listener);
+  }
 
   /**
    * Notes what a draw shows.
@@ -95,7 +104,8 @@ export class Survey {
     report.moved = report.deforms = false;
     report.changed = none;
     this.#found = this.#sensors = 0;
-    this.#walk.walk(scene, none ? center : this.#center, none ? far : this.#far, rules);
+    this.#walk.walk(scene, none ? center : this.#center, none ? far : this.#far, rules, true);
+    this.#index.surveyed = true;
     report.sensors.length = this.#sensors;
     if (this.#found !== this.#drawn) report.changed = true;
     return report;

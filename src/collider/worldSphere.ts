@@ -2,6 +2,9 @@ import type { BatchedMesh, InstancedMesh, Mesh, SkinnedMesh, Sphere } from 'thre
 import { PartsSphere } from './PartsSphere.js';
 import { SkinSphere } from './SkinSphere.js';
 
+/** Vertices whose bounding sphere is found in no time. */
+const FEW = 4096;
+
 const parts = /* @__PURE__ */ new WeakMap<Mesh, PartsSphere>();
 const skins = /* @__PURE__ */ new WeakMap<Mesh, SkinSphere>();
 
@@ -17,10 +20,10 @@ export function worldSphere(mesh: Mesh, target: Sphere): boolean {
       let skin = skins.get(mesh);
       if (skin === undefined) skins.set(mesh, (skin = new SkinSphere()));
       skin.find(mesh as SkinnedMesh, target);
-    } else if ((mesh as InstancedMesh).isInstancedMesh || (mesh as BatchedMesh).isBatchedMesh) {
+    } else if (hasParts(mesh)) {
       let sphere = parts.get(mesh);
       if (sphere === undefined) parts.set(mesh, (sphere = new PartsSphere()));
-      target.copy(sphere.of(mesh as InstancedMesh | BatchedMesh)).applyMatrix4(mesh.matrixWorld);
+      target.copy(sphere.of(mesh)).applyMatrix4(mesh.matrixWorld);
     } else {
       const { geometry } = mesh;
       if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
@@ -31,4 +34,22 @@ export function worldSphere(mesh: Mesh, target: Sphere): boolean {
     return false;
   }
   return !Number.isNaN(target.radius + target.center.x + target.center.y + target.center.z);
+}
+
+/** Is that sphere there already? Where it is not, it costs all the vertices to find. */
+export function hasSphere(mesh: Mesh): boolean {
+  if ((mesh as SkinnedMesh).isSkinnedMesh) return skins.has(mesh);
+  return hasParts(mesh) ? parts.has(mesh) : mesh.geometry.boundingSphere !== null;
+}
+
+/** Or is it found in no time? Those of skins, instances and batches are not. */
+export function isCheap(mesh: Mesh): boolean {
+  if ((mesh as SkinnedMesh).isSkinnedMesh || hasParts(mesh)) return false;
+  return !(mesh.geometry.attributes.position!.count > FEW);
+}
+
+function hasParts(mesh: Mesh): mesh is InstancedMesh | BatchedMesh {
+  return (
+    (mesh as InstancedMesh).isInstancedMesh === true || (mesh as BatchedMesh).isBatchedMesh === true
+  );
 }
