@@ -86,7 +86,7 @@ export default async function survey(options: CubeColliderOptions) {
     posts.instanceMatrix.needsUpdate = true;
   });
   const { mesh, bone } = skinned();
-  mesh.position.set(0, 0, -1.6);
+  mesh.position.set(0, 0, -1.95);
   await step('a skin came', () => scene.add(mesh));
   await step('a bone moved', () => (bone.position.x = 0.1));
   await step('the reach shrank', () => (collider.far = 0.4));
