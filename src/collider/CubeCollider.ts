@@ -250,6 +250,7 @@ export class CubeCollider extends Object3D {
     this.updateWorldMatrix(true, false);
     const center = worldPosition.setFromMatrixPosition(this.matrixWorld);
     try {
+      this.#selection.prepare();
       return this.#survey.look(scene, center, this.#reach, this.#rules);
     } catch (error) {
       this.#warnings.once(`the scene cannot be surveyed: ${String(error)}`, 'survey');

@@ -1,5 +1,6 @@
 import type { BatchedMesh, Material, Mesh, Object3D, Vector3 } from 'three';
 import type { BatchList } from './BatchList.js';
+import { HugeMeshes } from './HugeMeshes.js';
 import { createObjectProxy, type ObjectProxy } from './objectProxy.js';
 import { SceneIndex } from './SceneIndex.js';
 import { SceneWalk, type SelectionRules, type WalkListener } from './SceneWalk.js';
@@ -14,6 +15,7 @@ export class Selection {
   /** What was selected last: put these into a private scene. */
   readonly proxies: ObjectProxy[] = [];
   readonly #proxyOf = new WeakMap<Mesh, ObjectProxy>();
+  readonly #huge = new HugeMeshes();
   #count = 0;
   #dress!: Dress;
   #center!: Vector3;
@@ -26,8 +28,7 @@ export class Selection {
   readonly #walk: SceneWalk;
   readonly #listener: WalkListener = {
     solid: (mesh, faces) => {
-      let proxy = this.#proxyOf.get(mesh);
-      if (proxy === undefined) this.#proxyOf.set(mesh, (proxy = createObjectProxy(mesh)));
+      const proxy = this.#huge.proxyFor(mesh, this.#center, this.#far) ?? this.#whole(mesh);
       proxy.layers.mask = faces;
       proxy.material = this.#dress(mesh.material);
       // Written over, not emptied and pushed: an emptied array gives its storage back.
@@ -52,6 +53,12 @@ export class Selection {
     this.proxies.length = 0;
     for (const batch of this.#batches) batch.dispose();
     this.#batches.clear();
+    this.#huge.clear();
+  }
+
+  /** Goes on finding out where the triangles of huge meshes are; for a frame without a draw. */
+  prepare(): void {
+    this.#huge.work();
   }
 
   /**
@@ -67,10 +74,18 @@ export class Selection {
     this.#far = far;
     this.#count = 0;
     this.#selections++;
+    if (!this.#index.surveyed) this.prepare();
     this.#walk.walk(scene, center, far, rules, !this.#index.surveyed);
     this.#index.surveyed = false;
     this.proxies.length = this.#count;
+    this.#huge.sweep();
     if (this.#batches.size > 0) this.#dropBatches();
+  }
+
+  #whole(mesh: Mesh): ObjectProxy {
+    let proxy = this.#proxyOf.get(mesh);
+    if (proxy === undefined) this.#proxyOf.set(mesh, (proxy = createObjectProxy(mesh)));
+    return proxy;
   }
 
   /** Batches that went need no list. */

@@ -1,0 +1,225 @@
+import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
+import { SpatialOrder } from './SpatialOrder.js';
+
+/** Triangles with one box around them, and such runs with another around those. */
+const RUN = 64;
+const RUNS = 32;
+/** Triangles between two looks at the clock. */
+const GRAIN = 1024;
+/** Part of its runs that a place in a mesh may be in, with a fiftieth of the mesh around it; of more, the order is bad. */
+const SCATTERED = 0.05;
+const AROUND = 0.02;
+/** Boxes are 32-bit floats: so much wider, relative to where they are. */
+const ROUNDING = 1e-6;
+
+/** A geometry's vertices and indices as plain arrays; places are `array[stride * vertex + offset + axis] * factor`. */
+export interface Vertices {
+  readonly array: ArrayLike<number>;
+  readonly stride: number;
+  readonly offset: number;
+  readonly factor: number;
+  readonly index: ArrayLike<number> | null;
+  readonly triangles: number;
+}
+
+/**
+ * Where a geometry's triangles are: a box around each run of 64, in the geometry's own order or, where that is
+ * scattered, in one of its own. It is found bit by bit. 0.4 bytes a triangle, 4.4 with an order of its own.
+ */
+export class TriangleIndex {
+  readonly vertices: Vertices;
+  /** All is known. */
+  done = false;
+  readonly #position: BufferAttribute | InterleavedBufferAttribute;
+  readonly #positionVersion: number;
+  readonly #index: BufferAttribute | null;
+  readonly #indexVersion: number;
+  /** Boxes, made once the work begins: what is edited all the time needs none. */
+  #runs = new Float32Array(0);
+  #blocks = new Float32Array(0);
+  readonly #whole = new Float32Array(6);
+  #next = 0;
+  #order: SpatialOrder | null = null;
+
+  constructor(geometry: BufferGeometry, vertices: Vertices) {
+    this.vertices = vertices;
+    this.#position = geometry.attributes.position as BufferAttribute;
+    this.#positionVersion = versionOf(this.#position);
+    this.#index = geometry.index;
+    this.#indexVersion = geometry.index?.version ?? 0;
+  }
+
+  /** Is the geometry still the one it was made of? */
+  holds(geometry: BufferGeometry): boolean {
+    return (
+      geometry.attributes.position === this.#position &&
+      versionOf(this.#position) === this.#positionVersion &&
+      geometry.index === this.#index &&
+      (geometry.index === null || geometry.index.version === this.#indexVersion)
+    );
+  }
+
+  /** Bytes it takes. */
+  get bytes(): number {
+    const order = this.#order?.triangles.byteLength ?? 0;
+    return this.#runs.byteLength + this.#blocks.byteLength + order;
+  }
+
+  /** Has it an order of its own? */
+  get ordered(): boolean {
+    return this.#order !== null;
+  }
+
+  /** Goes on until it is done, or `performance.now()` is past `end`. */
+  work(end: number): void {
+    const { triangles } = this.vertices;
+    if (this.#runs.length === 0) {
+      const runs = Math.ceil(triangles / RUN);
+      this.#runs = new Float32Array(6 * runs);
+      this.#blocks = new Float32Array(6 * Math.ceil(runs / RUNS));
+    }
+    do {
+      if (this.#order !== null && !this.#order.done) {
+        this.#order.work(GRAIN);
+      } else if (this.#next < triangles) {
+        const from = this.#next;
+        this.#next = Math.min(triangles, from + GRAIN);
+        for (let start = from; start < this.#next; start += RUN) this.#measure(start);
+      } else {
+        this.#join();
+        if (this.#order === null && this.#scattered()) {
+          this.#order = new SpatialOrder(this.vertices, this.#whole);
+          this.#next = 0;
+        } else {
+          this.done = true;
+          return;
+        }
+      }
+    } while (performance.now() < end);
+  }
+
+  /**
+   * Finds the triangles in a box, and some near it.
+   *
+   * @param box its least x, y, z and its greatest, in the geometry's own space
+   * @param from number of the first triangle that counts
+   * @param to number after the last
+   * @param target receives their numbers from `count` on, in ascending order
+   * @returns how many `target` holds then, or -1 if they are more than it takes
+   */
+  gather(box: Float64Array, from: number, to: number, target: Uint32Array, count: number): number {
+    const start = count;
+    const { triangles } = this.vertices;
+    const order = this.#order?.triangles ?? null;
+    for (let block = 0; 6 * block < this.#blocks.length; block++) {
+      if (!meets(this.#blocks, 6 * block, box)) continue;
+      const last = Math.min(this.#runs.length / 6, (block + 1) * RUNS);
+      for (let run = block * RUNS; run < last; run++) {
+        if (!meets(this.#runs, 6 * run, box)) continue;
+        const end = Math.min(triangles, (run + 1) * RUN);
+        if (count + RUN > target.length) return -1;
+        for (let i = run * RUN; i < end; i++) {
+          const triangle = order === null ? i : order[i]!;
+          if (triangle >= from && triangle < to) target[count++] = triangle;
+        }
+      }
+    }
+    // As the user's own order has them: what lies in one plane is drawn over as it is there.
+    if (order !== null) target.subarray(start, count).sort();
+    return count;
+  }
+
+  /** The box around one run. */
+  #measure(start: number): void {
+    const { array, stride, offset, factor, index, triangles } = this.vertices;
+    const order = this.#order?.triangles ?? null;
+    const end = Math.min(triangles, start + RUN);
+    let x0 = Infinity;
+    let y0 = Infinity;
+    let z0 = Infinity;
+    let x1 = -Infinity;
+    let y1 = -Infinity;
+    let z1 = -Infinity;
+    for (let i = start; i < end; i++) {
+      const corner = 3 * (order === null ? i : order[i]!);
+      for (let k = corner; k < corner + 3; k++) {
+        const at = stride * (index === null ? k : index[k]!) + offset;
+        const x = array[at]!;
+        const y = array[at + 1]!;
+        const z = array[at + 2]!;
+        if (x < x0) x0 = x;
+        if (x > x1) x1 = x;
+        if (y < y0) y0 = y;
+        if (y > y1) y1 = y;
+        if (z < z0) z0 = z;
+        if (z > z1) z1 = z;
+      }
+    }
+    const runs = this.#runs;
+    const at = (6 * start) / RUN;
+    runs[at] = widened(x0 * factor, -1);
+    runs[at + 1] = widened(y0 * factor, -1);
+    runs[at + 2] = widened(z0 * factor, -1);
+    runs[at + 3] = widened(x1 * factor, 1);
+    runs[at + 4] = widened(y1 * factor, 1);
+    runs[at + 5] = widened(z1 * factor, 1);
+  }
+
+  /** The boxes around boxes. */
+  #join(): void {
+    this.#blocks.fill(Infinity);
+    this.#whole.fill(Infinity);
+    for (let at = 0; at < this.#blocks.length; at += 6) {
+      for (let axis = 3; axis < 6; axis++) this.#blocks[at + axis] = -Infinity;
+      const end = Math.min(this.#runs.length, (at + 6) * RUNS);
+      for (let run = at * RUNS; run < end; run += 6) unite(this.#runs, run, this.#blocks, at);
+    }
+    for (let axis = 3; axis < 6; axis++) this.#whole[axis] = -Infinity;
+    for (let at = 0; at < this.#blocks.length; at += 6) unite(this.#blocks, at, this.#whole, 0);
+  }
+
+  /** Are its runs all over the place? */
+  #scattered(): boolean {
+    const whole = this.#whole;
+    const runs = this.#runs;
+    const longest = Math.max(whole[3]! - whole[0]!, whole[4]! - whole[1]!, whole[5]! - whole[2]!);
+    if (!(longest > 0)) return false;
+    const around = AROUND * longest;
+    let sum = 0;
+    for (let at = 0; at < runs.length; at += 6) {
+      let part = 1;
+      for (let axis = 0; axis < 3; axis++) {
+        const extent = Math.max(0, runs[at + axis + 3]! - runs[at + axis]!);
+        part *= (extent + around) / (whole[axis + 3]! - whole[axis]! + around);
+      }
+      sum += part;
+    }
+    return sum > (SCATTERED * runs.length) / 6;
+  }
+}
+
+export function versionOf(attribute: BufferAttribute | InterleavedBufferAttribute): number {
+  return 'data' in attribute ? attribute.data.version : attribute.version;
+}
+
+function widened(value: number, sign: number): number {
+  return value + sign * ROUNDING * Math.abs(value);
+}
+
+function unite(from: Float32Array, at: number, to: Float32Array, into: number): void {
+  for (let axis = 0; axis < 3; axis++) {
+    to[into + axis] = Math.min(to[into + axis]!, from[at + axis]!);
+    to[into + axis + 3] = Math.max(to[into + axis + 3]!, from[at + axis + 3]!);
+  }
+}
+
+function meets(boxes: Float32Array, at: number, box: Float64Array): boolean {
+  return (
+    boxes[at]! <= box[3]! &&
+    boxes[at + 3]! >= box[0]! &&
+    boxes[at + 1]! <= box[4]! &&
+    boxes[at + 4]! >= box[1]! &&
+    boxes[at + 2]! <= box[5]! &&
+    boxes[at + 5]! >= box[2]!
+  );
+}
