@@ -77,13 +77,13 @@ test('should tell fronts from backs, by either rule of sides', async ({ page }) 
     'both FrontSide outside': 'front at 3.0',
     'both BackSide inside': 'front at 1.0',
     'both BackSide outside': 'back at 3.0',
-    'both DoubleSide inside': 'back at 1.0',
+    'both DoubleSide inside': 'front at 1.0',
     'both DoubleSide outside': 'front at 3.0',
     'drawn FrontSide inside': 'nothing',
     'drawn FrontSide outside': 'front at 3.0',
     'drawn BackSide inside': 'front at 1.0',
     'drawn BackSide outside': 'front at 5.0',
-    'drawn DoubleSide inside': 'back at 1.0',
+    'drawn DoubleSide inside': 'front at 1.0',
     'drawn DoubleSide outside': 'front at 3.0',
   });
 });

@@ -22,6 +22,8 @@ export const DEFAULTS = {
     readback: 'async',
     /** Which sides of a triangle are solid: 'both', or 'drawn' as each material culls. */
     sides: 'both',
+    /** What see-through things are: 'ignore', no obstacles, or 'solid'. */
+    transparent: 'ignore',
     /** Texel format: 'auto' takes the first that the context can draw of RGBA32F, RGBA16F, RGBA8. */
     format: 'auto',
     /** How far it may move from its newest field before `update` waits for the next, as a part of the reach. */

@@ -65,7 +65,7 @@ export async function loadWalkLevel(
 function solidMeshes(object: Object3D, found: Mesh[] = []): Mesh[] {
   const { visible, userData } = object;
   if (!visible || userData.collider === false || userData.sensor === true) return found;
-  if (object instanceof Mesh && [object.material].flat().some(isSolid)) {
+  if (object instanceof Mesh && [object.material].flat().some((each) => isSolid(each))) {
     if ((object as unknown as InstancedMesh).isInstancedMesh) {
       found.push(...instancesOf(object as unknown as InstancedMesh));
     } else {

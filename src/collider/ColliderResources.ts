@@ -1,6 +1,7 @@
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
 import { atlasSize } from '../cube/atlas.js';
 import { hasIdTexture, type TexelFormat } from '../cube/encoding.js';
+import type { Warnings } from '../Warnings.js';
 import { AxisPass } from './AxisPass.js';
 import { CollisionMaterials } from './CollisionMaterials.js';
 import type { CubeColliderSettings } from './CubeColliderOptions.js';
@@ -34,6 +35,7 @@ export class ColliderResources {
     settings: CubeColliderSettings,
     /** Called when the context is lost, while deleting what it held is still allowed. */
     readonly onLost: () => void,
+    warnings: Warnings,
   ) {
     const gl = renderer.getContext() as WebGL2RenderingContext;
     const { resolution, supersample, near, far, output } = settings;
@@ -53,11 +55,11 @@ export class ColliderResources {
       supersample > 1 ? new NearestPass(resolution, supersample, this.format, this.drawn) : null;
     this.atlas = this.nearest?.result ?? this.drawn;
     this.cameras = new FaceCameras(fine, near, far);
-    this.materials = new CollisionMaterials({
-      ...settings,
-      resolution: fine,
-      format: this.format,
-    });
+    this.materials = new CollisionMaterials(
+      { ...settings, resolution: fine, format: this.format },
+      renderer,
+      warnings,
+    );
     this.axis = axis ? new AxisPass(resolution, this.atlas.texture) : null;
     const float = this.format !== 'RGBA8';
     this.ring = axis

@@ -1,10 +1,15 @@
-import { Object3D, Vector3, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import {
+  type Material,
+  Object3D,
+  Vector3,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
 import type { AxisMaxima } from '../cube/AxisMaxima.js';
 import type { TexelFormat } from '../cube/encoding.js';
 import type { SurfaceField } from '../field/SurfaceField.js';
 import { Warnings } from '../Warnings.js';
 import { ColliderResources } from './ColliderResources.js';
-import type { CollisionMaterials } from './CollisionMaterials.js';
 import {
   type CubeColliderOptions,
   type CubeColliderSettings,
@@ -16,6 +21,7 @@ import { DrawnObjects } from './DrawnObjects.js';
 import { NewestRead } from './NewestRead.js';
 import type { DrawStamp } from './ReadbackRing.js';
 import type { ReadbackClient } from './ReadbackScheduler.js';
+import type { Solidity, TransparentPolicy } from './isSolid.js';
 import { PrivateScene } from './PrivateScene.js';
 import { RendererState } from './RendererState.js';
 import { SceneIndex } from './SceneIndex.js';
@@ -66,6 +72,8 @@ export class CubeCollider extends Object3D {
   readonly readback: 'async' | 'sync';
   /** 'both' sides of a triangle are solid, or as 'drawn'. */
   readonly sides: 'both' | 'drawn';
+  /** What transparent things are: no obstacles ('ignore'), or 'solid'. */
+  readonly transparent: TransparentPolicy;
   /** Called for each mesh within reach; false makes it no obstacle. */
   filter: ((object: Object3D) => boolean) | null;
   readonly stats: CubeColliderStats = emptyStats();
@@ -95,13 +103,9 @@ export class CubeCollider extends Object3D {
     update: 0,
     objects: new DrawnObjects(),
   };
-  readonly #rules: SelectionRules = {
-    layers: this.layers,
-    excluded: this.#excluded,
-    filter: (object) => this.#passes(object),
-    faulty: (mesh, fault) => this.#tellOf(mesh, fault),
-  };
-  readonly #dress;
+  readonly #rules: SelectionRules;
+  readonly #dress = (source: Material | Material[], solidity: Solidity) =>
+    this.#gpu!.materials.for(source, solidity);
   readonly #client: ReadbackClient = {
     deliver: () => this.#deliver(),
     urgent: () => this.#urgent && this.#gpu !== null && this.#gpu.ring.fenced,
@@ -121,10 +125,16 @@ export class CubeCollider extends Object3D {
     this.rMax = settings.rMax;
     this.readback = settings.readback;
     this.sides = settings.sides;
+    this.transparent = settings.transparent;
+    this.#rules = {
+      layers: this.layers,
+      excluded: this.#excluded,
+      transparent: settings.transparent,
+      filter: (object) => this.#passes(object),
+      faulty: (mesh, fault) => this.#tellOf(mesh, fault),
+    };
     this.filter = settings.filter;
     this.#newest = new NewestRead(settings, this.stats);
-    this.#dress = (source: Parameters<CollisionMaterials['for']>[0]) =>
-      this.#gpu!.materials.for(source);
   }
 
   /**
@@ -262,8 +272,17 @@ export class CubeCollider extends Object3D {
   async compile(renderer: WebGLRenderer, scene: Object3D): Promise<void> {
     if (!this.#usable(renderer, scene)) return;
     const gpu = this.#resources(renderer);
-    this.#select(scene, worldPosition.setFromMatrixPosition(this.matrixWorld), Infinity);
-    this.#state.enter(renderer);
+    const center = worldPosition.setFromMatrixPosition(this.matrixWorld).clone();
+    // Again, where a material could not be wrapped and something plainer takes its place.
+    while (this.#gpu === gpu && (await this.#compileOnce(gpu, scene, center)));
+  }
+
+  /** @returns whether some programs turned out not to work */
+  async #compileOnce(gpu: ColliderResources, scene: Object3D, center: Vector3): Promise<boolean> {
+    const { renderer, materials } = gpu;
+    this.#select(scene, center, Infinity);
+    const worn = new Set(this.#selection.proxies.flatMap(({ material }) => material));
+    this.#state.enter(renderer, materials.shaderFailed);
     try {
       renderer.setRenderTarget(gpu.drawn);
       gpu.compiling = renderer.compileAsync(this.#scene, gpu.cameras);
@@ -275,6 +294,14 @@ export class CubeCollider extends Object3D {
     }
     await gpu.compiling;
     gpu.compiling = null;
+    if (this.#gpu !== gpu) return false;
+    this.#state.enter(renderer, materials.shaderFailed);
+    try {
+      materials.finish(worn);
+    } finally {
+      this.#state.leave(renderer);
+    }
+    return materials.giveUp();
   }
 
   /** Forgets every field, those on their way included: after a teleport, or when scenery changed at a stroke. */
@@ -312,14 +339,18 @@ export class CubeCollider extends Object3D {
   #draw(renderer: WebGLRenderer, scene: Object3D, center: Vector3, now: boolean): void {
     const gpu = this.#gpu!;
     const time = performance.now();
-    this.#select(scene, center, this.#reach);
     gpu.cameras.moveTo(center);
     gpu.reach(this.#far);
-    this.#state.enter(renderer);
+    this.#state.enter(renderer, gpu.materials.shaderFailed);
     try {
-      const before = renderer.info.render.calls;
-      clearTexels(renderer, gpu.drawn);
-      renderer.render(this.#scene, gpu.cameras);
+      let before: number;
+      do {
+        this.#select(scene, center, this.#reach);
+        before = renderer.info.render.calls;
+        clearTexels(renderer, gpu.drawn);
+        renderer.render(this.#scene, gpu.cameras);
+        // At once again, where a material could not be wrapped and something plainer takes its place.
+      } while (gpu.materials.giveUp());
       this.stats.drawCalls = renderer.info.render.calls - before;
       gpu.axis?.reduce(renderer);
       gpu.nearest?.reduce(renderer);
@@ -439,7 +470,7 @@ export class CubeCollider extends Object3D {
   #resources(renderer: WebGLRenderer): ColliderResources {
     if (this.#gpu !== null && this.#gpu.renderer !== renderer) this.#release();
     if (this.#gpu === null) {
-      this.#gpu = new ColliderResources(renderer, this.#settings, this.#release);
+      this.#gpu = new ColliderResources(renderer, this.#settings, this.#release, this.#warnings);
       const { format } = this.#settings;
       if (this.output === 'surface' && format !== 'auto' && format !== this.#gpu.format) {
         this.#warnings.once(

@@ -2,6 +2,7 @@ import type { Object3D } from 'three';
 import { TEXEL_FORMATS, type TexelFormat } from '../cube/encoding.js';
 import { clipPlanes } from '../cube/faceMatrices.js';
 import { DEFAULTS } from '../defaults.js';
+import type { TransparentPolicy } from './isSolid.js';
 
 /** Options of `CubeCollider`. Lengths in metres. */
 export interface CubeColliderOptions {
@@ -35,6 +36,12 @@ export interface CubeColliderOptions {
    * culls them, and nothing is known of insides. Default 'both'.
    */
   sides?: 'both' | 'drawn';
+  /**
+   * What transparent materials without an alpha test are, and those that write no depth: 'ignore', no obstacles, or
+   * 'solid'. Sprites, points and lines are never solid. `userData.collider` set to true makes a single mesh solid
+   * whatever it wears, and though it is not visible; set to false, no obstacle with all below it. Default 'ignore'.
+   */
+  transparent?: TransparentPolicy;
   /** Called for each mesh within reach; returning false makes it no obstacle. Default: none. */
   filter?: (object: Object3D) => boolean;
   /** Paper's mode: the deepest penetration told apart ends here. Default half of `rMax`. */
@@ -65,6 +72,7 @@ export interface CubeColliderSettings {
   readonly autoFar: boolean;
   readonly readback: 'async' | 'sync';
   readonly sides: 'both' | 'drawn';
+  readonly transparent: TransparentPolicy;
   readonly filter: ((object: Object3D) => boolean) | null;
   readonly rMin: number;
   readonly rMax: number;
@@ -83,6 +91,7 @@ const KNOWN: Record<keyof CubeColliderOptions, true> = {
   far: true,
   readback: true,
   sides: true,
+  transparent: true,
   filter: true,
   rMin: true,
   rMax: true,
@@ -150,6 +159,7 @@ export function resolveOptions(options: CubeColliderOptions): CubeColliderSettin
       'sync',
     ]),
     sides: oneOf('sides', options.sides ?? d.sides, ['both', 'drawn']),
+    transparent: oneOf('transparent', options.transparent ?? d.transparent, ['ignore', 'solid']),
     filter,
     rMin,
     rMax,

@@ -22,10 +22,10 @@ export class DrawnObjects {
     const count = proxies.length;
     let deforming = 0;
     for (let i = 0; i < count; i++) {
-      const { source } = proxies[i]!;
+      const { source, solidity } = proxies[i]!;
       this.#objects[i] = source;
       (this.#matrices[i] ??= new Matrix4()).copy(source.matrixWorld);
-      const rigid = (this.#rigid[i] = isRigid(source));
+      const rigid = (this.#rigid[i] = isRigid(source, solidity));
       if (!rigid) deforming++;
     }
     this.#objects.length = count;

@@ -1,5 +1,7 @@
 import { type RenderTarget, Vector4, type WebGLRenderer } from 'three';
 
+type ShaderErrorHandler = NonNullable<WebGLRenderer['debug']['onShaderError']>;
+
 const current = new Vector4();
 
 /**
@@ -26,9 +28,15 @@ export class RendererState {
   #triangles = 0;
   #points = 0;
   #lines = 0;
+  #checkShaderErrors = true;
+  #onShaderError: ShaderErrorHandler | null = null;
 
-  /** Takes the state and sets ours: no automatic clear, no sorting, no XR, counters held. */
-  enter(renderer: WebGLRenderer): void {
+  /**
+   * Takes the state and sets ours: no automatic clear, no sorting, no XR, counters held.
+   *
+   * @param onShaderError told of programs that fail, instead of the console; left out, errors go where they went
+   */
+  enter(renderer: WebGLRenderer, onShaderError?: ShaderErrorHandler): void {
     this.#target = renderer.getRenderTarget();
     this.#face = renderer.getActiveCubeFace();
     this.#mip = renderer.getActiveMipmapLevel();
@@ -46,7 +54,14 @@ export class RendererState {
     this.#triangles = info.render.triangles;
     this.#points = info.render.points;
     this.#lines = info.render.lines;
+    const { debug } = renderer;
+    this.#checkShaderErrors = debug.checkShaderErrors;
+    this.#onShaderError = debug.onShaderError;
 
+    if (onShaderError !== undefined) {
+      debug.checkShaderErrors = true;
+      debug.onShaderError = onShaderError;
+    }
     renderer.xr.enabled = false;
     renderer.autoClear = false;
     renderer.sortObjects = false;
@@ -55,7 +70,10 @@ export class RendererState {
 
   /** Puts everything back. `info.render.frame` is left: three's uploads are guarded by it. */
   leave(renderer: WebGLRenderer): void {
-    const { info } = renderer;
+    const { debug, info } = renderer;
+    debug.checkShaderErrors = this.#checkShaderErrors;
+    debug.onShaderError = this.#onShaderError;
+    this.#onShaderError = null;
     info.autoReset = this.#infoAutoReset;
     info.render.calls = this.#calls;
     info.render.triangles = this.#triangles;

@@ -9,8 +9,9 @@ import {
 } from 'three';
 import { FACES } from '../cube/faces.js';
 import { faultOf } from './faultOf.js';
-import { isSolid } from './isSolid.js';
+import { isSolid, type Solidity, solidityOf, type TransparentPolicy } from './isSolid.js';
 import { isLevel, levelShown } from './levelShown.js';
+import { movesVertices } from './materialKind.js';
 import type { SceneIndex } from './SceneIndex.js';
 import type { SceneNode } from './SceneNode.js';
 
@@ -24,6 +25,8 @@ export interface SelectionRules {
   readonly excluded: ReadonlySet<Object3D>;
   /** Told of each mesh that cannot be drawn, in every walk that comes near it. */
   readonly faulty?: (mesh: Mesh, fault: string) => void;
+  /** What see-through things are. Default 'ignore'. */
+  readonly transparent?: TransparentPolicy;
 }
 
 /** Who is told what a walk finds. */
@@ -71,24 +74,38 @@ export class SceneWalk {
   }
 
   #consider(node: SceneNode, call: number): void {
-    if (!this.#shows(node, call)) return;
     const { object } = node;
+    if (!this.#shows(node, call)) {
+      // A wall that nobody sees: made solid by name, alone.
+      if (object.userData.collider === true && this.#showsButFor(node, call))
+        this.#considerIfMesh(node);
+      return;
+    }
     if (object.userData.sensor === true) this.#considerSensor(node);
-    else if ((object as Mesh).isMesh && object.layers.test(this.#rules.layers))
-      this.#considerMesh(node);
+    else this.#considerIfMesh(node);
+  }
+
+  #considerIfMesh(node: SceneNode): void {
+    const { object } = node;
+    if ((object as Mesh).isMesh && object.layers.test(this.#rules.layers)) this.#considerMesh(node);
   }
 
   /** As the renderer sees it: an invisible object hides what is below it. So do our own rules. */
   #shows(node: SceneNode, call: number): boolean {
     if (node.asked === call) return node.shows;
     node.asked = call;
-    const { object, parent } = node;
+    const { object } = node;
     node.shows =
-      object.visible &&
-      object.userData.collider !== false &&
-      !this.#rules.excluded.has(object) &&
-      (parent === null || (this.#shows(parent, call) && this.#isShownBy(parent.object, object)));
+      object.visible && object.userData.collider !== false && this.#showsButFor(node, call);
     return node.shows;
+  }
+
+  /** The same, whatever it says itself. */
+  #showsButFor({ object, parent }: SceneNode, call: number): boolean {
+    return (
+      !this.#rules.excluded.has(object) &&
+      (parent === null || (this.#shows(parent, call) && this.#isShownBy(parent.object, object)))
+    );
   }
 
   /** Of several levels an `LOD` shows one. */
@@ -100,10 +117,14 @@ export class SceneWalk {
 
   #considerMesh(node: SceneNode): void {
     const mesh = node.object as Mesh;
+    const { material } = mesh;
+    const none = (material ?? null) === null;
     // Without any it is told of below.
-    if ((mesh.material ?? null) !== null && !anySolid(mesh.material)) return;
-    const faces = mesh.frustumCulled ? this.#facesTouched(node) : ALL_FACES;
+    if (!none && !anySolid(material, solidityOf(mesh, this.#rules.transparent))) return;
+    let faces = mesh.frustumCulled ? this.#facesTouched(node) : ALL_FACES;
     if (faces === 0) return;
+    // The bounds tell that it is near; of which faces its shader moves it into they tell nothing.
+    if (!none && mayMoveVertices(material)) faces = ALL_FACES;
     if (this.#rules.filter?.(mesh) === false) return;
     const fault = faultOf(mesh);
     if (fault === null) this.#listener.solid(mesh, faces);
@@ -141,8 +162,17 @@ export class SceneWalk {
   }
 }
 
-function anySolid(material: Material | Material[]): boolean {
-  if (!Array.isArray(material)) return isSolid(material);
-  for (let i = 0; i < material.length; i++) if (isSolid(material[i])) return true;
+function anySolid(material: Material | Material[], solidity: Solidity): boolean {
+  if (!Array.isArray(material)) return isSolid(material, solidity);
+  for (let i = 0; i < material.length; i++) if (isSolid(material[i], solidity)) return true;
+  return false;
+}
+
+function mayMoveVertices(material: Material | Material[]): boolean {
+  if (!Array.isArray(material)) return movesVertices(material);
+  for (let i = 0; i < material.length; i++) {
+    const each = material[i];
+    if (each && movesVertices(each)) return true;
+  }
   return false;
 }

@@ -5,13 +5,21 @@ import {
   type GLBufferAttribute,
   type InstancedMesh,
   type InterleavedBufferAttribute,
+  type Material,
   Matrix4,
   type Mesh,
+  type Texture,
 } from 'three';
 import { batchVersion } from './isRigid.js';
 import { isSolid } from './isSolid.js';
+import { alphaCut } from './materialKind.js';
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute | GLBufferAttribute;
+
+interface WithMaps extends Material {
+  map?: Texture | null;
+  alphaMap?: Texture | null;
+}
 
 /** What a mesh was when it was drawn: all that the processor can tell of its place and its shape. */
 export class SeenMesh {
@@ -30,7 +38,7 @@ export class SeenMesh {
   #instanceVersion = 0;
   #instances = 0;
   #batch = 0;
-  #materials = 0;
+  #appearance = 0;
 
   /** Notes a mesh as `draw` shows it. Allocates nothing. */
   take(mesh: Mesh, draw: number): void {
@@ -50,7 +58,7 @@ export class SeenMesh {
     this.#instanceVersion = versionOf(instanced.instanceMatrix);
     this.#instances = instanced.count ?? 0;
     this.#batch = batchOf(mesh);
-    this.#materials = solidityOf(mesh);
+    this.#appearance = appearanceOf(mesh);
   }
 
   /** Has it another world matrix now? */
@@ -79,7 +87,7 @@ export class SeenMesh {
       versionOf(instanced.instanceMatrix) !== this.#instanceVersion ||
       (instanced.count ?? 0) !== this.#instances ||
       batchOf(mesh) !== this.#batch ||
-      solidityOf(mesh) !== this.#materials
+      appearanceOf(mesh) !== this.#appearance
     );
   }
 }
@@ -94,14 +102,56 @@ function batchOf(mesh: Mesh): number {
   return (mesh as BatchedMesh).isBatchedMesh ? batchVersion(mesh) : 0;
 }
 
-/** A number of which of its materials are solid, and which sides of them. */
-function solidityOf({ material }: Mesh): number {
-  if (!Array.isArray(material)) return isSolid(material) ? 1 + material.side : 0;
-  let all = material.length;
-  for (let i = 0; i < material.length; i++) {
-    const each = material[i];
-    // Kept to 30 bits, which every engine holds without an object.
-    all = (all * 5 + (isSolid(each) ? 1 + each!.side : 0)) & 0x3fffffff;
+/**
+ * A number of which of its materials are solid, which sides of them, and what is cut out of them: by alpha, and by
+ * clipping planes of their own.
+ */
+function appearanceOf({ material, userData }: Mesh): number {
+  const all = userData.collider === true ? 1 : 0;
+  if (!Array.isArray(material)) return join(all, appearance(material));
+  let each = join(all, material.length);
+  for (let i = 0; i < material.length; i++) each = join(each, appearance(material[i]));
+  return each;
+}
+
+function appearance(material: WithMaps | null | undefined): number {
+  if (!material) return 0;
+  const { side, clippingPlanes } = material;
+  // Both, so that it tells the same whatever the policy for transparent ones.
+  let all = 1 + side + (isSolid(material) ? 3 : 0) + (isSolid(material, 'shown') ? 6 : 0);
+  const cut = alphaCut(material);
+  if (cut > 0) {
+    all = join(mix(mix(all, cut), material.opacity), textureOf(material.map));
+    all = join(all, textureOf(material.alphaMap));
+  }
+  if (clippingPlanes !== null && clippingPlanes.length > 0) {
+    all = join(all, material.clipIntersection ? 2 : 1);
+    for (let i = 0; i < clippingPlanes.length; i++) {
+      const { normal, constant } = clippingPlanes[i]!;
+      all = mix(mix(mix(mix(all, normal.x), normal.y), normal.z), constant);
+    }
   }
   return all;
+}
+
+function textureOf(texture: Texture | null | undefined): number {
+  if (!texture) return 0;
+  const { offset, repeat, rotation } = texture;
+  const place = mix(mix(mix(mix(rotation, offset.x), offset.y), repeat.x), repeat.y);
+  return join(join(texture.id, texture.version), place);
+}
+
+const float = new Float32Array(1);
+const bits = new Int32Array(float.buffer);
+
+/** Of two integers; small ones all the way, for which no engine makes an object. */
+function join(a: number, b: number): number {
+  return ((a & 0xffffff) * 31 + (b & 0xffffff)) & 0xffffff;
+}
+
+/** Of an integer and a fraction, its sign and exponent folded in. */
+function mix(a: number, b: number): number {
+  float[0] = b;
+  const all = bits[0]!;
+  return join(a, all ^ (all >>> 20));
 }

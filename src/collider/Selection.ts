@@ -1,11 +1,12 @@
-import type { BatchedMesh, Material, Mesh, Object3D, Vector3 } from 'three';
+import type { BatchedMesh, Material, Mesh, Object3D, Scene, Vector3 } from 'three';
 import type { BatchList } from './BatchList.js';
 import { HugeMeshes } from './HugeMeshes.js';
+import { solidityOf, type Solidity } from './isSolid.js';
 import { createObjectProxy, type ObjectProxy } from './objectProxy.js';
 import { SceneIndex } from './SceneIndex.js';
 import { SceneWalk, type SelectionRules, type WalkListener } from './SceneWalk.js';
 
-type Dress = (source: Material | Material[]) => Material | Material[];
+type Dress = (source: Material | Material[], solidity: Solidity) => Material | Material[];
 
 /**
  * Finds what the cubemap may see and dresses it as proxies, each with a layer for every face it touches, numbered from 1
@@ -23,6 +24,8 @@ export class Selection {
   /** Of the batches among them. */
   readonly #batches = new Set<BatchList>();
   #selections = 0;
+  #scene!: Object3D;
+  #rules!: SelectionRules;
 
   readonly #index: SceneIndex;
   readonly #walk: SceneWalk;
@@ -30,7 +33,9 @@ export class Selection {
     solid: (mesh, faces) => {
       const proxy = this.#huge.proxyFor(mesh, this.#center, this.#far) ?? this.#whole(mesh);
       proxy.layers.mask = faces;
-      proxy.material = this.#dress(mesh.material);
+      proxy.scene = this.#scene as Scene;
+      proxy.solidity = solidityOf(mesh, this.#rules.transparent);
+      proxy.material = this.#dress(mesh.material, proxy.solidity);
       // Written over, not emptied and pushed: an emptied array gives its storage back.
       this.proxies[this.#count++] = proxy;
       proxy.drawNumber = this.#count;
@@ -72,6 +77,8 @@ export class Selection {
     this.#dress = dress;
     this.#center = center;
     this.#far = far;
+    this.#scene = scene;
+    this.#rules = rules;
     this.#count = 0;
     this.#selections++;
     if (!this.#index.surveyed) this.prepare();

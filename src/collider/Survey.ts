@@ -1,5 +1,6 @@
 import { type Mesh, type Object3D, Vector3 } from 'three';
 import { isRigid } from './isRigid.js';
+import { solidityOf } from './isSolid.js';
 import type { ObjectProxy } from './objectProxy.js';
 import { SceneIndex } from './SceneIndex.js';
 import { SceneWalk, type SelectionRules, type WalkListener } from './SceneWalk.js';
@@ -30,6 +31,7 @@ export class Survey {
   #drawn = 0;
   #found = 0;
   #sensors = 0;
+  #rules!: SelectionRules;
 
   readonly #index: SceneIndex;
   readonly #walk: SceneWalk;
@@ -37,7 +39,8 @@ export class Survey {
     solid: (mesh) => {
       const { report } = this;
       this.#found++;
-      if (!report.deforms && !isRigid(mesh)) report.deforms = true;
+      const solidity = solidityOf(mesh, this.#rules.transparent);
+      if (!report.deforms && !isRigid(mesh, solidity)) report.deforms = true;
       if (this.#draw === 0) return;
       const seen = this.#seen.get(mesh);
       if (seen === undefined || seen.draw !== this.#draw) {
@@ -104,6 +107,7 @@ export class Survey {
     report.moved = report.deforms = false;
     report.changed = none;
     this.#found = this.#sensors = 0;
+    this.#rules = rules;
     this.#walk.walk(scene, none ? center : this.#center, none ? far : this.#far, rules, true);
     this.#index.surveyed = true;
     report.sensors.length = this.#sensors;

@@ -15,6 +15,9 @@ import {
 export const collisionVertexShader = /* glsl */ `
 #include <common>
 #include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
 #include <morphtarget_pars_vertex>
 #include <skinning_pars_vertex>
 #include <logdepthbuf_pars_vertex>
@@ -31,12 +34,20 @@ void main() {
   #endif
   // Not one flat number: several drivers can have flat ones only by rewriting the geometry.
   vInstance = vec2( float( instance >> 12 ), float( instance & 4095 ) );
+  #include <uv_vertex>
+  #include <color_vertex>
   #include <batching_vertex>
   #include <morphinstance_vertex>
+  #include <skinbase_vertex>
+  #ifdef USE_DISPLACEMENTMAP
+    #include <beginnormal_vertex>
+    #include <morphnormal_vertex>
+    #include <skinnormal_vertex>
+  #endif
   #include <begin_vertex>
   #include <morphtarget_vertex>
-  #include <skinbase_vertex>
   #include <skinning_vertex>
+  #include <displacementmap_vertex>
   #include <project_vertex>
   // A vertex in the face camera's own plane has w = 0, and a rasteriser that interpolates before it clips (SwiftShader)
   // then loses the whole triangle. It is clipped at any rate: move it a little.
@@ -59,8 +70,38 @@ const FRAGMENT_HEAD = /* glsl */ `
 #include <common>
 #include <logdepthbuf_pars_fragment>
 #include <clipping_planes_pars_fragment>
+#ifdef USE_ALPHATEST
+  #include <uv_pars_fragment>
+  #include <color_pars_fragment>
+  uniform float opacity;
+  uniform float alphaTest;
+  #ifdef USE_MAP
+    uniform sampler2D map;
+  #endif
+  #ifdef USE_ALPHAMAP
+    uniform sampler2D alphaMap;
+  #endif
+#endif
 varying vec3 vFromCenter;
 uniform float resolution; // texels per face edge
+
+// What the user's alpha cuts out. Maps are read unblurred: a texel stands for one ray, and a fence's wires must not
+// fade because the cubemap is small.
+void cutOut() {
+  #ifdef USE_ALPHATEST
+    float alpha = opacity;
+    #ifdef USE_MAP
+      alpha *= textureLod( map, vMapUv, 0.0 ).a;
+    #endif
+    #ifdef USE_COLOR_ALPHA
+      alpha *= vColor.a;
+    #endif
+    #ifdef USE_ALPHAMAP
+      alpha *= textureLod( alphaMap, vAlphaMapUv, 0.0 ).g;
+    #endif
+    if ( alpha < alphaTest ) discard;
+  #endif
+}
 
 vec3 texelDirection() { // unit, through the texel's middle, world axes
   vec2 tile = mod( gl_FragCoord.xy, resolution ) * 2.0 / resolution - 1.0;
@@ -88,6 +129,7 @@ void main() {
   vec3 normal;
   float d = surfaceDistance( normal );              // (9)
   #include <clipping_planes_fragment>
+  cutOut();
   #include <logdepthbuf_fragment>
   float red = 1.0 - ( d - rMin ) / ( rMax - rMin ); // (10)
   gl_FragColor = vec4( red, 0.0, 0.0, 1.0 );        // (11); the 8-bit target clamps red to 0..1
@@ -102,7 +144,7 @@ ${beside ? 'layout( location = 1 ) out highp vec4 ids;' : ''}
 ${FRAGMENT_HEAD}
 varying vec2 vInstance;
 uniform float far;
-uniform float frontSign; // -1 where a material shows the inside of its triangles
+uniform float frontSign; // -1 where a material shows the inside of its triangles, 0 where it shows both sides
 uniform float object; // number of the object drawn now, from 1
 ${encodeSurfaceGLSL(format)}
 ${beside ? encodeIdsGLSL : ''}
@@ -111,9 +153,10 @@ void main() {
   vec3 normal;
   float distance = surfaceDistance( normal );
   #include <clipping_planes_fragment>
+  cutOut();
   if ( distance > far ) discard;
   #include <logdepthbuf_fragment>
-  bool front = gl_FrontFacing == ( frontSign > 0.0 );
+  bool front = frontSign == 0.0 || gl_FrontFacing == ( frontSign > 0.0 );
   vec2 digits = floor( vInstance + 0.5 );
   float instance = digits.x * 4096.0 + digits.y;
   texel = encodeSurface( distance, normal, front, far, object, instance );

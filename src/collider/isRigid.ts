@@ -1,12 +1,15 @@
-import { type BatchedMesh, type InstancedMesh, Material, type Mesh, type SkinnedMesh } from 'three';
+import type { BatchedMesh, InstancedMesh, Mesh, SkinnedMesh } from 'three';
 import { partsOf } from './BatchList.js';
-import { isSolid } from './isSolid.js';
+import { isSolid, type Solidity } from './isSolid.js';
+import { movesVertices } from './materialKind.js';
 
 /**
  * Can only a mesh's world matrix change what is seen of it, but for changes that its attributes' versions tell? Not if
  * a skin, a morph or a shader that is not three's own may move its vertices.
+ *
+ * @param solidity which of its materials count
  */
-export function isRigid(mesh: Mesh): boolean {
+export function isRigid(mesh: Mesh, solidity: Solidity = 'opaque'): boolean {
   if ((mesh as SkinnedMesh).isSkinnedMesh) return false;
   if (mesh.morphTargetInfluences !== undefined || (mesh as InstancedMesh).morphTexture) {
     const morphs = mesh.geometry.morphAttributes.position;
@@ -14,9 +17,9 @@ export function isRigid(mesh: Mesh): boolean {
   }
   if ((mesh as BatchedMesh).isBatchedMesh && partsOf(mesh) === null) return false;
   const { material } = mesh;
-  if (!Array.isArray(material)) return keepsShape(material);
+  if (!Array.isArray(material)) return !movesVertices(material);
   for (let i = 0; i < material.length; i++) {
-    if (isSolid(material[i]) && !keepsShape(material[i]!)) return false;
+    if (isSolid(material[i], solidity) && movesVertices(material[i]!)) return false;
   }
   return true;
 }
@@ -37,13 +40,4 @@ export function batchVersion(mesh: Mesh): number {
     number = (31 * number + (active && visible ? 1 + geometryIndex : 0)) & 0x3fffffff;
   }
   return number;
-}
-
-function keepsShape(material: Material): boolean {
-  const { isShaderMaterial, displacementMap } = material as {
-    isShaderMaterial?: boolean;
-    displacementMap?: unknown;
-  };
-  if (isShaderMaterial === true || (displacementMap ?? null) !== null) return false;
-  return material.onBeforeCompile === Material.prototype.onBeforeCompile;
 }

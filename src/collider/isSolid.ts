@@ -1,7 +1,31 @@
-import type { Material } from 'three';
+import type { Material, Object3D } from 'three';
 
-/** Drawn, and not see-through: transparent materials are solid only where an alpha test cuts them out. */
-export function isSolid(material: Material | null | undefined): boolean {
-  if (!material || !material.visible || !material.depthWrite) return false;
-  return !material.transparent || material.alphaTest > 0;
+/** Are see-through things obstacles? See `CubeColliderOptions.transparent`. */
+export type TransparentPolicy = 'ignore' | 'solid';
+
+/**
+ * Which of a mesh's materials are obstacles: those that hide what is behind them, all that are shown, or, where
+ * `userData.collider` is true, whatever it wears.
+ */
+export type Solidity = 'opaque' | 'shown' | 'all';
+
+/** How a mesh is judged. */
+export function solidityOf(object: Object3D, transparent: TransparentPolicy = 'ignore'): Solidity {
+  if (object.userData.collider === true) return 'all';
+  return transparent === 'solid' ? 'shown' : 'opaque';
+}
+
+/**
+ * Is what wears this material an obstacle? By default where it is drawn and not see-through: transparent materials
+ * are solid only where an alpha test cuts them out. Wide lines are meshes to three, and no obstacles.
+ */
+export function isSolid(
+  material: Material | null | undefined,
+  solidity: Solidity = 'opaque',
+): boolean {
+  if (!material) return false;
+  if (solidity === 'all') return true;
+  if (!material.visible || (material as { isLineMaterial?: boolean }).isLineMaterial) return false;
+  if (solidity === 'shown') return true;
+  return material.depthWrite && (!material.transparent || material.alphaTest > 0);
 }

@@ -1,13 +1,20 @@
 import {
   type BatchedMesh,
+  type BufferGeometry,
+  type Camera,
+  type Group,
   Layers,
   type Material,
   Matrix3,
   Matrix4,
   type Mesh,
+  type Scene,
   type ShaderMaterial,
+  type WebGLRenderer,
 } from 'three';
 import { BatchList } from './BatchList.js';
+import { isDerived } from './derivedMaterial.js';
+import type { Solidity } from './isSolid.js';
 
 /** A stand-in for a user's mesh in the collider's own scene. */
 export interface ObjectProxy extends Mesh {
@@ -18,24 +25,46 @@ export interface ObjectProxy extends Mesh {
   drawNumber: number;
   /** Which of a batch's instances are drawn; null of all else. */
   readonly batch: BatchList | null;
+  /** The user's scene. */
+  scene: Scene;
+  /** How it was judged when it was selected. */
+  solidity: Solidity;
 }
 
-const nothing = () => {};
-
-/** Tells the shared material, which three is about to draw this object with, whose turn it is. */
+/** Tells the material, which three is about to draw this object with, whose turn it is. */
 function announce(
   this: ObjectProxy,
-  _renderer: unknown,
+  renderer: WebGLRenderer,
   _scene: unknown,
-  _camera: unknown,
-  _geometry: unknown,
+  camera: Camera,
+  geometry: BufferGeometry,
   material: Material,
+  group: Group,
 ): void {
+  if (isDerived(material)) {
+    material.beforeTurn(this, renderer, camera, geometry, group);
+    return;
+  }
   const { object } = (material as ShaderMaterial).uniforms;
   if (object === undefined) return;
   object.value = this.drawNumber;
   // Else three uploads a material's uniforms only where another was drawn before.
   (material as ShaderMaterial).uniformsNeedUpdate = true;
+}
+
+/** The user's hooks, for the materials that need them. */
+function conclude(
+  this: ObjectProxy,
+  renderer: WebGLRenderer,
+  _scene: unknown,
+  camera: Camera,
+  geometry: BufferGeometry,
+  material: Material,
+  group: Group,
+): void {
+  if (isDerived(material)) {
+    material.afterTurn(this, renderer, camera, geometry, group);
+  }
 }
 
 /**
@@ -49,6 +78,8 @@ export function createObjectProxy(mesh: Mesh): ObjectProxy {
     source: own(mesh),
     drawNumber: own(0),
     batch: own((mesh as BatchedMesh).isBatchedMesh ? new BatchList() : null),
+    scene: own(null),
+    solidity: own('opaque'),
     parent: own(null),
     children: own([]),
     visible: own(true),
@@ -61,9 +92,9 @@ export function createObjectProxy(mesh: Mesh): ObjectProxy {
     renderOrder: own(0),
     castShadow: own(false),
     receiveShadow: own(false),
-    // The user's hooks set up their own materials; ours need none of it.
+    // The user's hooks set up their own materials; most of ours need none of it.
     onBeforeRender: own(announce),
-    onAfterRender: own(nothing),
+    onAfterRender: own(conclude),
     _listeners: own(undefined),
   }) as ObjectProxy;
 }

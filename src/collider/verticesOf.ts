@@ -19,7 +19,7 @@ const FACTORS: Record<string, number> = {
 /** Is each triangle where its vertices say, once, so that those out of reach may be left out? */
 export function isPlain(mesh: Mesh): boolean {
   const { isInstancedMesh, isBatchedMesh } = mesh as InstancedMesh & { isBatchedMesh?: boolean };
-  if (isInstancedMesh || isBatchedMesh || !isRigid(mesh)) return false;
+  if (isInstancedMesh || isBatchedMesh || !isRigid(mesh, 'all')) return false;
   return !(mesh.geometry as { isInstancedBufferGeometry?: boolean }).isInstancedBufferGeometry;
 }
 

@@ -47,7 +47,7 @@ export class SurfaceField {
   readonly distance: Float32Array;
   /** Unit geometric normal, turned toward the centre, world axes: x, y, z; zero where nothing was seen. */
   readonly normal: Float32Array;
-  /** 1 where a triangle's front faces the centre, 0 where its back does or nothing was seen. */
+  /** 1 where a front faces the centre, as all of what shows both sides does; 0 where a back does or nothing was seen. */
   readonly front: Uint8Array;
   /** What each texel saw: 1 + its place in `objects`, or 0 where nothing was seen or it is not known whose it was. */
   readonly object: Uint16Array;
