@@ -1,6 +1,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import type { KindCase, KindReport } from './harness/materials.js';
+import type { RuleCases } from './harness/materialRules.js';
 import type { KindName } from './harness/materialKinds.js';
 import { expect, runInPage, test } from './support/test.js';
 
@@ -88,4 +89,107 @@ test('should do so before the app draws, in every format, side and kind of depth
     { kind: 'displacement', renderer: { logarithmicDepthBuffer: true } },
   ];
   for (const seen of await run(page, cases)) check(seen);
+});
+
+function rule<Name extends keyof RuleCases>(
+  page: Page,
+  name: Name,
+  args?: Parameters<RuleCases[Name]>[0],
+): Promise<Awaited<ReturnType<RuleCases[Name]>>> {
+  return runInPage(page, '/e2e/harness/materialRules.ts', { name, args });
+}
+
+test('should take for solid what the policy says', async ({ page }) => {
+  const { table, worst } = await rule(page, 'policy');
+  // By default, with `transparent: 'solid'`, marked solid, marked a ghost.
+  const solid = Object.fromEntries(
+    Object.entries(table).map(([name, seen]) => [name, seen.map((count) => count > 40)]),
+  );
+  expect(solid).toEqual({
+    opaque: [true, true, true, false],
+    transparent: [false, true, true, false],
+    'transparent shader': [false, true, true, false],
+    'transparent, alpha tested': [true, true, true, false],
+    'no depth written': [false, true, true, false],
+    'not visible': [false, false, true, false],
+    'a material that is not visible': [false, false, true, false],
+    sprite: [false, false, false, false],
+    points: [false, false, false, false],
+    line: [false, false, false, false],
+    'wide line': [false, false, false, false],
+  });
+  // What is not solid is not there at all.
+  for (const seen of Object.values(table)) {
+    for (const count of seen) expect(count === 0 || count > 40).toBe(true);
+  }
+  expect(worst).toBeLessThan(1e-5);
+  for (const [name, seen] of Object.entries(table)) {
+    report({
+      kind: `policy: ${name}`,
+      group: 'policy',
+      worst,
+      texels: Math.max(...seen),
+      draws: 6,
+      programs: 1,
+      note: ['by default', "with `transparent: 'solid'`", 'with `userData.collider = true`']
+        .map((how, i) => `${how} ${seen[i]! > 0 ? 'solid' : 'not'}`)
+        .join(', '),
+    });
+  }
+});
+
+test('should tell fronts from backs of wrapped materials as of plain ones', async ({ page }) => {
+  // Seen from its front and its back, then both mirrored.
+  expect(await rule(page, 'sides')).toEqual([
+    'both FrontSide: front back front back',
+    'both BackSide: back front back front',
+    'both DoubleSide: front back front back',
+    'drawn FrontSide: front nothing front nothing',
+    'drawn BackSide: nothing front nothing front',
+    'drawn DoubleSide: front back front back',
+  ]);
+});
+
+for (const compile of [false, true]) {
+  test(`should collide with the plain vertices of what cannot be wrapped, and say so once: ${compile ? 'compiled' : 'drawn'}`, async ({
+    page,
+  }) => {
+    const seen = await rule(page, 'unwrappable', { compile });
+    expect(seen.warnings).toEqual([
+      expect.stringMatching(
+        /^CubeCollider: ShaderMaterial "lava" cannot be drawn .*directionalLights/,
+      ),
+    ]);
+    for (const view of seen.views) {
+      expect(view.seen).toBeGreaterThan(40);
+      expect(view.worst).toBeLessThan(1e-5);
+    }
+    if (compile) expect(seen.made).toBe(0);
+    expect(seen).toMatchObject({ left: 0, error: 0, debug: [false, null] });
+  });
+}
+
+test('should share one program among all plain materials', async ({ page }) => {
+  expect(await rule(page, 'plain')).toEqual({ programs: 1, objects: 8 });
+});
+
+test('should have every program once compiled, and none once disposed of', async ({ page }) => {
+  const seen = await rule(page, 'compiled');
+  // Five kinds, the plain one, and the pass that keeps the nearest.
+  expect(seen).toEqual({
+    compiled: 7,
+    made: 0,
+    afterDispose: 2,
+    used: 7,
+    afterOther: 7,
+    left: 2,
+    end: 0,
+    listeners: 0,
+  });
+});
+
+test('should follow a material from kind to kind', async ({ page }) => {
+  const seen = await rule(page, 'changedKinds');
+  for (const { worst } of seen) expect(worst).toBeLessThan(1e-5);
+  expect(seen.map((each) => each.seen > 40)).toEqual([true, true, true, false]);
 });

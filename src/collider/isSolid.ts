@@ -23,9 +23,9 @@ export function isSolid(
   material: Material | null | undefined,
   solidity: Solidity = 'opaque',
 ): boolean {
-  if (!material) return false;
+  if (!material || (material as { isLineMaterial?: boolean }).isLineMaterial === true) return false;
   if (solidity === 'all') return true;
-  if (!material.visible || (material as { isLineMaterial?: boolean }).isLineMaterial) return false;
+  if (!material.visible) return false;
   if (solidity === 'shown') return true;
   return material.depthWrite && (!material.transparent || material.alphaTest > 0);
 }

@@ -222,11 +222,14 @@ function putOutputsAside(text: string, glsl3: boolean): { source: string; color:
   return { source, color: color ?? null };
 }
 
-/** Shaders that draw nothing, in place of what cannot be wrapped. */
+/** Shaders that draw nothing, in place of what cannot be wrapped. WebGL wants every output written somewhere. */
 export const NOTHING: ShaderTexts = {
   vertexShader: 'void main() { gl_Position = vec4( 0.0, 0.0, 2.0, 1.0 ); }',
   fragmentShader: /* glsl */ `
 layout( location = 0 ) out highp vec4 cc_texel;
 layout( location = 1 ) out highp vec4 cc_ids;
-void main() { discard; }`,
+void main() {
+  cc_texel = cc_ids = vec4( 0.0 );
+  discard;
+}`,
 };
