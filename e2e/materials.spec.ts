@@ -82,11 +82,9 @@ test('should do so before the app draws, in every format, side and kind of depth
   const cases: KindCase[] = [
     { kind: 'onBeforeCompile', probeFirst: true },
     { kind: 'ShaderMaterial', probeFirst: true, collider: { format: 'RGBA8' } },
-    { kind: 'alpha test', collider: { format: 'RGBA16F' } },
     { kind: 'gl_FragDepth', renderer: { reversedDepthBuffer: true } },
     { kind: 'RawShaderMaterial, GLSL 1', collider: { format: 'RGBA16F' } },
     { kind: 'onBeforeCompile', renderer: { logarithmicDepthBuffer: true } },
-    { kind: 'displacement', renderer: { logarithmicDepthBuffer: true } },
   ];
   for (const seen of await run(page, cases)) check(seen);
 });
@@ -168,6 +166,12 @@ for (const compile of [false, true]) {
     expect(seen).toMatchObject({ left: 0, error: 0, debug: [false, null] });
   });
 }
+
+test('should give the paper’s maxima of wrapped materials, too', async ({ page }) => {
+  const [plain, ...others] = await rule(page, 'axis');
+  expect(plain!.some((red) => red > 0 && red < 1)).toBe(true);
+  for (const other of others) expect(other).toEqual(plain);
+});
 
 test('should share one program among all plain materials', async ({ page }) => {
   expect(await rule(page, 'plain')).toEqual({ programs: 1, objects: 8 });

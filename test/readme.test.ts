@@ -19,6 +19,7 @@ it('the defaults in README should be the package’s', () => {
     'far',
     'readback',
     'sides',
+    'transparent',
     'format',
     'rMax',
   ] as const) {

@@ -143,7 +143,7 @@ function surfacesOf(meshes: Mesh[], rules: Omit<Surface, 'mesh' | 'room'>): Surf
 function displaced(): Kind {
   const pictures = [waves(16, 0), waves(16, 1.5)];
   let picture = pictures[0]!;
-  const material = new MeshStandardMaterial({
+  const material = new MeshLambertMaterial({
     displacementMap: picture.texture,
     displacementScale: 0.3,
     displacementBias: -0.1,
@@ -209,7 +209,7 @@ function alphaMapped(): Kind {
 
 function dithered(how: 'alphaToCoverage' | 'alphaHash'): Kind {
   const picture = waves(16, 0);
-  const material = new MeshStandardMaterial({ map: picture.texture, [how]: true });
+  const material = new MeshBasicMaterial({ map: picture.texture, [how]: true });
   return {
     materials: [material],
     surfaces: surfacesOf(put(plane(1), material), {
@@ -247,7 +247,7 @@ function clipped(renderer: WebGLRenderer): Kind {
     new Plane(new Vector3(0.3, 0.9, -0.2).normalize(), 0.3),
     new Plane(new Vector3(-0.5, -0.6, 0.6).normalize(), 0.6),
   ];
-  const material = new MeshStandardMaterial({ clippingPlanes: planes });
+  const material = new MeshBasicMaterial({ clippingPlanes: planes });
   const own: There = ({ point }) => {
     if (!renderer.localClippingEnabled) return true;
     const inside = planes.map((each) => each.distanceToPoint(point) >= 0);

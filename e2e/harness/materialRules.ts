@@ -274,6 +274,25 @@ const cases = {
     return { compiled, made, afterDispose, used, afterOther, left, end, listeners };
   },
 
+  /** The paper's reds of a pane, in a plain, a shader and a cut material. */
+  axis() {
+    const renderer = new WebGLRenderer();
+    const collider = colliderOf({ output: 'axis', far: undefined });
+    const reds = [
+      new MeshBasicMaterial(),
+      new ShaderMaterial(SHADER),
+      new MeshBasicMaterial({ alphaTest: 0.5 }),
+    ].map((material) => {
+      const mesh = pane(material, 0.3);
+      mesh.position.set(0.03, 0.02, -0.25);
+      collider.update(renderer, new Scene().add(mesh));
+      return [...collider.maxima!.red];
+    });
+    collider.dispose();
+    renderer.dispose();
+    return reds;
+  },
+
   /** The same cut and shader materials once more, after the app has changed what they are. */
   changedKinds() {
     const renderer = new WebGLRenderer();

@@ -31,7 +31,8 @@ export function collisionProgram(
     uniforms: {
       resolution: { value: resolution },
       near: { value: near },
-      ...(axis ? { rMin: { value: rMin }, rMax: { value: rMax } } : { far }),
+      far,
+      ...(axis ? { rMin: { value: rMin }, rMax: { value: rMax } } : {}),
     },
   };
 }
