@@ -58,6 +58,15 @@ for (const format of FORMATS) {
     });
   }
 
+  test(`should tell 70,000 instances of a batch apart: ${format}`, async ({ page }) => {
+    const { seen, drawCalls } = await run(page, 'limits', { format });
+    expect(seen).toEqual([
+      ['batch', 69_999],
+      ['batch', 4096],
+    ]);
+    expect(drawCalls).toBe(6);
+  });
+
   test(`should give each field the objects of its own draw: ${format}`, async ({ page }) => {
     const report = await run(page, 'inFlight', { format });
     expect(report.agreed / report.texels).toBeGreaterThanOrEqual(AGREEMENT);

@@ -1,4 +1,5 @@
 import {
+  BatchedMesh,
   BoxGeometry,
   DoubleSide,
   InstancedMesh,
@@ -120,6 +121,30 @@ const cases = {
     collider.dispose();
     renderer.dispose();
     return report;
+  },
+
+  /** What is toward +X and -X of a batch with more instances than 16 bits tell apart: its name, and its number. */
+  limits(options: CubeColliderOptions) {
+    const renderer = new WebGLRenderer();
+    const collider = new CubeCollider({ far: 2, readback: 'sync', ...options });
+    const box = new BoxGeometry();
+    const batch = new BatchedMesh(70_000, 24, 36, new MeshBasicMaterial());
+    batch.name = 'batch';
+    const geometry = batch.addGeometry(box);
+    const away = new Matrix4().makeTranslation(0, 90, 0);
+    for (let i = 0; i < 70_000; i++) batch.setMatrixAt(batch.addInstance(geometry), away);
+    batch.setMatrixAt(69_999, new Matrix4().makeTranslation(1.5, 0, 0));
+    batch.setMatrixAt(4096, new Matrix4().makeTranslation(-1.5, 0, 0));
+    collider.update(renderer, new Scene().add(batch));
+    const { resolution: n, object, objects, instance } = collider.field!;
+    const seen = [0, 1].map((face) => {
+      const texel = face * n * n + (n / 2) * n + n / 2;
+      return [objects[object[texel]! - 1]?.name, instance[texel]!];
+    });
+    const { drawCalls } = collider.stats;
+    collider.dispose();
+    renderer.dispose();
+    return { seen, drawCalls };
   },
 
   /** The reach: set between draws, in flight, and seen in a field. */

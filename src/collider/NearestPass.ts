@@ -25,16 +25,16 @@ function nearestShader(format: TexelFormat): string {
   const beside = hasIdTexture(format);
   return /* glsl */ `
 layout( location = 0 ) out highp vec4 texel;
-${beside ? 'layout( location = 1 ) out highp vec4 ids;' : 'vec4 ids;'}
+${beside ? 'layout( location = 1 ) out highp uvec2 ids;' : 'uvec2 ids;'}
 uniform sampler2D finer;
-uniform sampler2D finerIds;
+uniform highp usampler2D finerIds;
 ${decodeDistanceGLSL(format)}
 ${keepPlaceGLSL(format)}
 
 void main() {
   ivec2 from = ivec2( gl_FragCoord.xy ) * SUPERSAMPLE;
   texel = vec4( 0.0 );
-  ids = vec4( 0.0 );
+  ids = uvec2( 0u );
   ivec2 place = ivec2( 0 );
   float nearest = 0.0;
   for ( int y = 0; y < SUPERSAMPLE; y ++ ) {
@@ -49,7 +49,7 @@ void main() {
     }
   }
   if ( nearest == 0.0 ) return;
-  ${beside ? 'ids = texelFetch( finerIds, from + place, 0 );' : ''}
+  ${beside ? 'ids = texelFetch( finerIds, from + place, 0 ).rg;' : ''}
   keepPlace( texel, ids, place );
 }`;
 }

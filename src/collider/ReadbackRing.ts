@@ -44,8 +44,8 @@ const SLOTS = 2;
 export class ReadbackRing {
   /** The texels copied last. */
   readonly data: Float32Array | Uint8Array;
-  /** The ids copied last, 4 bytes a texel; null if they have no texture of their own. */
-  readonly ids: Uint8Array | null;
+  /** The ids copied last, 4 numbers a texel, of which 2 are used; null if they have no texture of their own. */
+  readonly ids: Uint32Array | null;
   readonly #gl: WebGL2RenderingContext;
   readonly #slots = Array.from({ length: SLOTS }, () => new PackBuffer());
   readonly #width: number;
@@ -54,7 +54,7 @@ export class ReadbackRing {
 
   /**
    * @param float RGBA floats if true, RGBA bytes if not
-   * @param ids whether a second texture, of RGBA bytes, is read too
+   * @param ids whether a second texture, of whole numbers, is read too
    */
   constructor(
     gl: WebGL2RenderingContext,
@@ -69,7 +69,7 @@ export class ReadbackRing {
     this.#type = float ? gl.FLOAT : gl.UNSIGNED_BYTE;
     const length = 4 * width * height;
     this.data = float ? new Float32Array(length) : new Uint8Array(length);
-    this.ids = ids ? new Uint8Array(length) : null;
+    this.ids = ids ? new Uint32Array(length) : null;
   }
 
   /** Reads on their way. */
@@ -90,7 +90,7 @@ export class ReadbackRing {
     gl.readPixels(0, 0, this.#width, this.#height, gl.RGBA, this.#type, this.data);
     if (this.ids === null) return;
     gl.readBuffer(gl.COLOR_ATTACHMENT1);
-    gl.readPixels(0, 0, this.#width, this.#height, gl.RGBA, gl.UNSIGNED_BYTE, this.ids);
+    gl.readPixels(0, 0, this.#width, this.#height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, this.ids);
     gl.readBuffer(gl.COLOR_ATTACHMENT0);
   }
 
@@ -100,10 +100,15 @@ export class ReadbackRing {
     for (const candidate of this.#slots) if (!candidate.pending) slot = candidate;
     if (slot === null) return false;
     const gl = this.#gl;
-    slot.buffer = this.#pack(slot.buffer, this.#type, this.data.byteLength);
+    slot.buffer = this.#pack(slot.buffer, gl.RGBA, this.#type, this.data.byteLength);
     if (this.ids !== null) {
       gl.readBuffer(gl.COLOR_ATTACHMENT1);
-      slot.idBuffer = this.#pack(slot.idBuffer, gl.UNSIGNED_BYTE, this.ids.byteLength);
+      slot.idBuffer = this.#pack(
+        slot.idBuffer,
+        gl.RGBA_INTEGER,
+        gl.UNSIGNED_INT,
+        this.ids.byteLength,
+      );
       gl.readBuffer(gl.COLOR_ATTACHMENT0);
     }
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
@@ -162,13 +167,13 @@ export class ReadbackRing {
   }
 
   /** Copies from the read buffer into a pixel-pack buffer, on the GPU's side; leaves it bound. */
-  #pack(buffer: WebGLBuffer | null, type: number, bytes: number): WebGLBuffer {
+  #pack(buffer: WebGLBuffer | null, format: number, type: number, bytes: number): WebGLBuffer {
     const gl = this.#gl;
     const target = buffer ?? gl.createBuffer();
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, target);
     // STREAM_READ is no faster here and makes Chromium warn at every read.
     if (buffer === null) gl.bufferData(gl.PIXEL_PACK_BUFFER, bytes, gl.STREAM_COPY);
-    gl.readPixels(0, 0, this.#width, this.#height, gl.RGBA, type, 0);
+    gl.readPixels(0, 0, this.#width, this.#height, format, type, 0);
     return target;
   }
 

@@ -140,7 +140,7 @@ export function surfaceFragmentShader(format: TexelFormat): string {
   const beside = hasIdTexture(format);
   return /* glsl */ `
 layout( location = 0 ) out highp vec4 texel;
-${beside ? 'layout( location = 1 ) out highp vec4 ids;' : ''}
+${beside ? 'layout( location = 1 ) out highp uvec2 ids;' : ''}
 ${FRAGMENT_HEAD}
 varying vec2 vInstance;
 uniform float far;

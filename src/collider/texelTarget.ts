@@ -4,7 +4,9 @@ import {
   NearestFilter,
   RGBAFormat,
   type TextureDataType,
+  RGIntegerFormat,
   UnsignedByteType,
+  UnsignedIntType,
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
@@ -19,7 +21,7 @@ const TYPES: Record<TexelFormat, TextureDataType> = {
 /**
  * A target of plain texels: nearest, no mipmaps, no antialiasing.
  *
- * @param ids whether it has a second texture beside, RGBA8, for objects' and instances' numbers
+ * @param ids whether it has a second texture beside, RG32UI, for objects' and instances' numbers
  */
 export function createTexelTarget(
   width: number,
@@ -39,11 +41,15 @@ export function createTexelTarget(
     samples: 0,
     count: ids ? 2 : 1,
   });
-  if (ids) target.textures[1]!.type = UnsignedByteType;
+  if (ids) {
+    target.textures[1]!.format = RGIntegerFormat;
+    target.textures[1]!.type = UnsignedIntType;
+  }
   return target;
 }
 
 const ZERO = new Float32Array(4);
+const NOTHING = new Uint32Array(4);
 const depthValue = new Float32Array(1);
 
 /** Makes `target` current and clears it to zeros and farthest depth, without touching the context's clear values. */
@@ -54,7 +60,8 @@ export function clearTexels(renderer: WebGLRenderer, target: WebGLRenderTarget):
   color.setMask(true);
   depth.setMask(true);
   depthValue[0] = depth.getReversed() ? 0 : 1;
-  for (let i = 0; i < target.textures.length; i++) gl.clearBufferfv(gl.COLOR, i, ZERO);
+  gl.clearBufferfv(gl.COLOR, 0, ZERO);
+  if (target.textures.length > 1) gl.clearBufferuiv(gl.COLOR, 1, NOTHING);
   gl.clearBufferfv(gl.DEPTH, 0, depthValue);
 }
 

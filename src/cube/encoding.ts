@@ -10,11 +10,11 @@ import type { SurfaceField } from '../field/SurfaceField.js';
  * | format  | distance        | normal (octahedral) | back face        | object          | instance      | a miss  |
  * | ------- | --------------- | ------------------- | ---------------- | --------------- | ------------- | ------- |
  * | RGBA32F | 32-bit float    | 12 + 12 bits        | sign of B        | abs(B) - 1, 16  | A, 24 bits    | R = 0   |
- * | RGBA16F | 22 bits of far  | 11 + 11 bits        | sign of R        | beside, 12 bits | beside, 20    | R = 0   |
- * | RGBA8   | 15 bits of far  | 8 + 8 bits          | highest bit of R | beside, 12 bits | beside, 20    | R,G = 0 |
+ * | RGBA16F | 22 bits of far  | 11 + 11 bits        | sign of R        | beside, 16 bits | beside, 24    | R = 0   |
+ * | RGBA8   | 15 bits of far  | 8 + 8 bits          | highest bit of R | beside, 16 bits | beside, 24    | R,G = 0 |
  *
- * "Beside" is a second texture, RGBA8 (`encodeIdsGLSL`): objects past the 4095th are not told apart there (they read as
- * 0, unknown), and instances past the 1,048,575th count as it. Drawn finer (`supersample`), a texel also holds its place
+ * "Beside" is a second texture, RG32UI (`encodeIdsGLSL`), which every WebGL 2 draws and reads. Objects past the 65,535th
+ * read as 0, unknown. Drawn finer (`supersample`), a texel also holds its place
  * in the block it was the nearest of: see `keepPlaceGLSL`. Every grid of the normal has a middle, so the six axes
  * (floors, walls) come back exact.
  */
@@ -34,11 +34,8 @@ const BYTE_STEPS = 32766;
 /** RGBA16F writes the distance as two integers below this; a half float holds them exactly. */
 const HALF_DIGIT = 2048;
 const HALF_STEPS = HALF_DIGIT * HALF_DIGIT - 1;
-/** Largest number of an object: in a field, and in a texture of ids. */
+/** Largest number of an object. */
 const MAX_OBJECT = 0xffff;
-const MAX_OBJECT_BESIDE = 0xfff;
-/** Largest number of an instance in a texture of ids. */
-const MAX_INSTANCE_BESIDE = 0xfffff;
 
 const OCTAHEDRAL_GLSL = /* glsl */ `
 vec2 octahedral( vec3 n ) {
@@ -74,15 +71,10 @@ vec4 encodeSurface( float distance, vec3 normal, bool front, float far, float ob
 }`;
 }
 
-/** GLSL `vec4 encodeIds( float object, float instance )`: 12 and 20 bits, as four bytes, highest first. */
+/** GLSL `uvec2 encodeIds( float object, float instance )`: both as they are. `keepPlaceGLSL` uses the room above. */
 export const encodeIdsGLSL = /* glsl */ `
-vec4 encodeIds( float object, float instance ) {
-  float known = object > ${MAX_OBJECT_BESIDE.toFixed(1)} ? 0.0 : object;
-  float place = min( instance, ${MAX_INSTANCE_BESIDE.toFixed(1)} );
-  vec2 high = floor( vec2( known / 16.0, place / 65536.0 ) );
-  float low = place - 65536.0 * high.y;
-  float middle = floor( low / 256.0 );
-  return vec4( high.x, ( known - 16.0 * high.x ) * 16.0 + high.y, middle, low - 256.0 * middle ) / 255.0;
+uvec2 encodeIds( float object, float instance ) {
+  return uvec2( object, instance );
 }`;
 
 /** GLSL `float decodeDistance( vec4 texel, float far )`: metres, 0 for a miss. For pictures; fields decode on the CPU. */
@@ -106,7 +98,7 @@ export function decodeDistanceGLSL(format: TexelFormat): string {
  * objects) is the caller's to set, the reach before. Allocates nothing.
  *
  * @param data 4 numbers a texel: floats for the float formats, bytes for RGBA8
- * @param ids 4 bytes a texel, of formats with a texture for them; without it whose a texel was is not known
+ * @param ids 4 numbers a texel, of formats with a texture for them; without it whose a texel was is not known
  * @param supersample above 1 each texel holds the place of a finer one, and the field's directions are written too: they
  *   must be its own
  */
@@ -114,7 +106,7 @@ export function decodeSurface(
   format: TexelFormat,
   data: Float32Array | Uint8Array,
   field: SurfaceField,
-  ids: Uint8Array | null = null,
+  ids: Uint32Array | null = null,
   supersample = 1,
 ): void {
   const { resolution, far, direction, distance, normal, front, object, instance } = field;
@@ -173,11 +165,10 @@ export function decodeSurface(
         distance[to] = d;
         front[to] = isFront ? 1 : 0;
         if (ids !== null) {
-          const middle = ids[from + 1]!;
-          seen = 16 * ids[from]! + (middle >> 4);
-          const low = middle & 15;
-          if (supersample > 1) place = low;
-          which = (supersample > 1 ? 0 : 65536 * low) + 256 * ids[from + 2]! + ids[from + 3]!;
+          seen = ids[from]!;
+          const low = ids[from + 1]!;
+          which = low & 0xffffff;
+          place = low >>> 24;
         }
         object[to] = seen <= MAX_OBJECT ? seen : 0;
         instance[to] = which;

@@ -7,11 +7,11 @@ export const PLACES = 1 << PLACE_BITS;
 const SIDE = 4;
 
 /**
- * GLSL `void keepPlace( inout vec4 texel, inout vec4 ids, ivec2 place )`: writes into a texel where in its block of finer
+ * GLSL `void keepPlace( inout vec4 texel, inout uvec2 ids, ivec2 place )`: writes into a texel where in its block of finer
  * ones it lay, 0 to 3 each way. `encodeSurfaceGLSL` and `encodeIdsGLSL` leave room for it:
  *
  * - RGBA32F: B, whose sign is the facing and whose amount is 1 + the object's number, times 16, plus the place.
- * - Formats with ids beside: the highest 4 of the 20 bits of the instance's number; those past the 65,535th count as it.
+ * - Formats with ids beside: the byte above the 24 bits of the instance's number.
  */
 export function keepPlaceGLSL(format: TexelFormat): string {
   const body =
@@ -20,12 +20,8 @@ export function keepPlaceGLSL(format: TexelFormat): string {
   float amount = min( abs( texel.b ), 65537.0 ) * ${PLACES.toFixed(1)} + code;
   texel.b = texel.b < 0.0 ? - amount : amount;`
       : /* glsl */ `
-  vec4 bytes = floor( ids * 255.0 + 0.5 );
-  float high = mod( bytes.g, 16.0 );
-  if ( high > 0.0 ) bytes.ba = vec2( 255.0 );
-  bytes.g += code - high;
-  ids = bytes / 255.0;`;
-  return `void keepPlace( inout vec4 texel, inout vec4 ids, ivec2 place ) {
+  ids.g += uint( code ) << 24;`;
+  return `void keepPlace( inout vec4 texel, inout uvec2 ids, ivec2 place ) {
   float code = float( place.x + ${SIDE} * place.y );${body}
 }`;
 }
