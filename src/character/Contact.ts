@@ -10,6 +10,6 @@ export class Contact {
   gap = 0;
   /** What is touched; null if the field does not know. */
   object: Object3D | null = null;
-  /** Which instance of it, if it has several; else 0. */
+  /** Which instance of it, if it has several (as three counts those of an `InstancedMesh` or a `BatchedMesh`); else 0. */
   instance = 0;
 }
