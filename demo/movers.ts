@@ -1,16 +1,22 @@
 import {
-  BoxGeometry,
-  BufferGeometry,
+  type BufferGeometry,
   CircleGeometry,
   CylinderGeometry,
   Group,
   LatheGeometry,
-  Mesh,
-  MeshStandardMaterial,
+  type Mesh,
   type Object3D,
   Vector2,
 } from 'three';
-import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
+import {
+  assemble,
+  type Materials,
+  materialsOf,
+  merge,
+  slab,
+  stretch,
+  TEXTURE_SIZE,
+} from './pieces.js';
 
 /** The lift: its plate's middle beside the gap in the balcony's railing, and how high that is, metres. */
 const LIFT = { x: -24.75, z: -7.18, width: 1.5, top: 3, thickness: 0.1 };
@@ -23,8 +29,7 @@ const SHY = 1.5;
 const TURNTABLE = { x: -16.5, z: -0.6, radius: 2.4, height: 0.11 };
 /** Radians a second. */
 const TURN = 0.45;
-/** Metres of the level's textures' pictures, and of the rosette's. */
-const TEXTURE_SIZE = 2;
+/** Metres of the rosette's picture, and of the part of it that is the star. */
 const ROSETTE = { size: 8, radius: 3.9 };
 
 /** The demo's moving things. */
@@ -79,24 +84,6 @@ function ease(x: number): number {
   return x * x * x * (x * (6 * x - 15) + 10);
 }
 
-type Materials = (name: string) => MeshStandardMaterial;
-
-/** The level's materials by name, without the colours that it paints on its vertices. */
-function materialsOf(level: Object3D): Materials {
-  const known = new Map<string, MeshStandardMaterial>();
-  level.traverse((object) => {
-    if (!(object instanceof Mesh)) return;
-    const { material } = object as Mesh;
-    if (material instanceof MeshStandardMaterial) known.set(material.name, material);
-  });
-  return (name) => {
-    const made = known.get(name)?.clone() ?? new MeshStandardMaterial();
-    made.vertexColors = false;
-    made.aoMap = null;
-    return made;
-  };
-}
-
 /** A plate on a piston that sinks into the ground. Its origin is in the middle of its top. */
 function createLift(material: Materials): Mesh {
   const { width, thickness, top } = LIFT;
@@ -125,7 +112,7 @@ function createTurntable(material: Materials): Mesh {
   }
   const side = new CylinderGeometry(radius, radius, height + 0.02, 64, 1, true);
   side.translate(0, height / 2 - 0.01, 0);
-  repeat(side, (2 * Math.PI * radius) / TEXTURE_SIZE, height / TEXTURE_SIZE);
+  stretch(side, (2 * Math.PI * radius) / TEXTURE_SIZE, height / TEXTURE_SIZE);
   const profile = [
     [0.26, height - 0.01],
     [0.26, height + 0.08],
@@ -154,43 +141,6 @@ function createTurntable(material: Materials): Mesh {
   return table;
 }
 
-/** One mesh of parts with a material each. */
-function assemble(name: string, parts: [BufferGeometry, MeshStandardMaterial][]): Mesh {
-  const geometry = mergeGeometries(
-    parts.map(([part]) => part),
-    true,
-  );
-  const mesh = new Mesh(
-    geometry,
-    parts.map(([, material]) => material),
-  );
-  mesh.name = name;
-  mesh.castShadow = mesh.receiveShadow = true;
-  return mesh;
-}
-
-const merge = (...parts: BufferGeometry[]) => mergeGeometries(parts);
-
-/** A box whose top is at y = 0, with the middle at (x, z) and the level's textures' scale. */
-function slab(width: number, height: number, depth: number, x: number, z = 0): BoxGeometry {
-  const box = new BoxGeometry(width, height, depth);
-  const { uv } = box.attributes;
-  const sizes = [
-    [depth, height],
-    [depth, height],
-    [width, depth],
-    [width, depth],
-    [width, height],
-    [width, height],
-  ];
-  for (let i = 0; i < uv!.count; i++) {
-    const [u, v] = sizes[Math.floor(i / 4)]!;
-    uv!.setXY(i, (uv!.getX(i) * u!) / TEXTURE_SIZE, (uv!.getY(i) * v!) / TEXTURE_SIZE);
-  }
-  box.translate(x, -height / 2, z);
-  return box;
-}
-
 /** Four bars around a square, flush with its top. */
 function frame(width: number, height: number, rim: number): BufferGeometry {
   const out = (width - rim) / 2;
@@ -200,9 +150,4 @@ function frame(width: number, height: number, rim: number): BufferGeometry {
     slab(width - 2 * rim, height, rim, 0, out),
     slab(width - 2 * rim, height, rim, 0, -out),
   );
-}
-
-function repeat(geometry: BufferGeometry, u: number, v: number): void {
-  const { uv } = geometry.attributes;
-  for (let i = 0; i < uv!.count; i++) uv!.setXY(i, uv!.getX(i) * u, uv!.getY(i) * v);
 }
