@@ -9,6 +9,7 @@ import {
 } from 'three-cube-collider';
 import { CubeColliderHelper } from 'three-cube-collider/helpers';
 import { createAvatar } from './avatar.js';
+import { createHall, type Hall } from './hall/createHall.js';
 import { addLighting, type Lighting } from './lighting.js';
 import { GroundSpeed } from './GroundSpeed.js';
 import { loadLevel } from './loadLevel.js';
@@ -54,6 +55,7 @@ function start(screen: StartScreen) {
   const groundSpeed = new GroundSpeed();
   let lighting: Lighting | null = null;
   let movers: Movers | null = null;
+  let hall: Hall | null = null;
 
   function createCharacter(): CharacterController<WebGLRenderer, Scene> {
     const made = new CharacterController<WebGLRenderer, Scene>(collider, {
@@ -69,6 +71,7 @@ function start(screen: StartScreen) {
   /** One turn of the loop. */
   function frame(delta: number): void {
     movers?.update(delta, character.squeezed);
+    hall?.update(delta, character.position);
     controls.update(delta);
     character.update(renderer, scene, delta);
     controls.follow(delta);
@@ -126,11 +129,13 @@ function start(screen: StartScreen) {
     scene.add(level.root);
     if (parameters.level === DEFAULT_LEVEL) {
       movers = createMovers(level.root);
-      scene.add(movers.root);
+      hall = createHall(level.root);
+      scene.add(movers.root, hall.root);
     }
-    spawn.copy(level.spawn.position);
+    const inHall = hall !== null && parameters.place === 'hall';
+    spawn.copy(inHall ? hall!.entry : level.spawn.position);
     character.teleport(spawn);
-    controls.yaw = level.spawn.yaw;
+    controls.yaw = inHall ? Math.PI : level.spawn.yaw;
     await collider.compile(renderer, scene);
     await renderer.compileAsync(scene, camera);
     frame(0);
@@ -216,6 +221,9 @@ function start(screen: StartScreen) {
     },
     get movers() {
       return movers;
+    },
+    get hall() {
+      return hall;
     },
     /** Stops the loop and goes on by hand: `frames` of `delta` seconds each, alike on every machine. */
     async step(frames: number, delta = 1 / 60): Promise<void> {

@@ -2,6 +2,8 @@
 export interface Parameters {
   /** Address of the level. */
   level: string;
+  /** Where the walk begins. */
+  place: 'start' | 'hall';
   view: 'first' | 'third';
   /** Texels per face edge. */
   resolution: number;
@@ -28,6 +30,7 @@ export function readParameters(search: string): Parameters {
   const output = query.get('output') === 'axis' ? 'axis' : 'surface';
   return {
     level: query.get('level') ?? DEFAULT_LEVEL,
+    place: query.get('place') === 'hall' ? 'hall' : 'start',
     view: query.get('view') === 'third' ? 'third' : 'first',
     resolution: RESOLUTIONS.includes(resolution) ? resolution : 32,
     output,
