@@ -81,6 +81,18 @@ test('walks through a hall of what is only drawn, and finds all of it solid', as
     expect.soft(ride.deepest).toBeLessThan(0.01);
     expect.soft(ride.highest).toBeLessThan(0.05);
   });
+
+  await test.step('a batch: climbs the rubble', async () => {
+    const walk = await page.evaluate(() => {
+      const { hallWorld: world } = window;
+      world.put(3.4, 0.1, 21.8);
+      return world.walk(2.4, () => ({ x: 9.8, z: 21.8 }), 'rubble');
+    });
+    console.log(`    rubble: ${mm(walk.end[1]!)} mm up, ${mm(walk.deepest)} mm deep`);
+    expect.soft(walk.end[1]).toBeGreaterThan(1.3);
+    expect.soft(walk.grounds).toContain('rubble');
+    expect.soft(walk.deepest).toBeLessThan(0.015);
+  });
 });
 
 test('begins there if the address says so', async ({ page }) => {
