@@ -1,7 +1,10 @@
 import { expect, runInPage, test } from './support/test.js';
 
 // The hall's plan (demo/hall/createHall.ts), in its own frame: the gate in the north, z = 0; x to the east.
+const RADIUS = 0.35;
 const SKIN = 0.02;
+const FENCE = 10.5;
+const WALL = 24;
 
 const mm = (metres: number) => (1000 * metres).toFixed(1);
 
@@ -36,6 +39,24 @@ test('walks through a hall of what is only drawn, and finds all of it solid', as
     expect.soft(high - low).toBeGreaterThan(0.3);
     expect.soft(ride.deepest + SKIN).toBeLessThan(0.02);
     expect.soft(ride.highest - SKIN).toBeLessThan(0.02);
+  });
+
+  await test.step('an alpha test: through the hole in the fence, and not beside it', async () => {
+    const { through, beside } = await page.evaluate((fence) => {
+      const { hallWorld: world } = window;
+      const walkFrom = (x: number) => {
+        world.put(x, 0.1, fence - 1);
+        return world.walk(0.8, () => ({ x, z: fence + 9 }));
+      };
+      return { through: walkFrom(0), beside: walkFrom(2) };
+    }, FENCE);
+    console.log(
+      `    fence: ${mm(through.end[2]! - FENCE)} mm past its hole, ` +
+        `${mm(FENCE - RADIUS - beside.end[2]!)} mm from its planks`,
+    );
+    expect.soft(through.end[2]).toBeGreaterThan(FENCE + 1);
+    expect.soft(beside.end[2]! - (FENCE - RADIUS)).toBeLessThan(0);
+    expect.soft(beside.end[2]! - (FENCE - RADIUS)).toBeGreaterThan(-0.03);
   });
 
   await test.step('a skin: climbs the creature by its tail, and is carried', async () => {
@@ -82,6 +103,22 @@ test('walks through a hall of what is only drawn, and finds all of it solid', as
     expect.soft(ride.highest).toBeLessThan(0.05);
   });
 
+  await test.step('a hooked vertex shader: walks across its waves', async () => {
+    const walk = await page.evaluate(() => {
+      const { hallWorld: world } = window;
+      world.put(3.3, 0.1, 13.4);
+      return world.walk(2.9, () => ({ x: 12, z: 13.4 }), 'waves');
+    });
+    console.log(
+      `    waves: to x = ${walk.end[0]!.toFixed(2)}, ${mm(walk.deepest)} mm deep, ` +
+        `gap at most ${mm(walk.highest)} mm`,
+    );
+    expect.soft(walk.end[0]).toBeGreaterThan(11);
+    expect.soft(walk.grounds).toContain('waves');
+    expect.soft(walk.deepest).toBeLessThan(0.03);
+    expect.soft(walk.highest - SKIN).toBeLessThan(0.03);
+  });
+
   await test.step('a batch: climbs the rubble', async () => {
     const walk = await page.evaluate(() => {
       const { hallWorld: world } = window;
@@ -92,6 +129,18 @@ test('walks through a hall of what is only drawn, and finds all of it solid', as
     expect.soft(walk.end[1]).toBeGreaterThan(1.3);
     expect.soft(walk.grounds).toContain('rubble');
     expect.soft(walk.deepest).toBeLessThan(0.015);
+  });
+
+  await test.step('a shader of one’s own: the wall stops it, and pushes it back', async () => {
+    const walk = await page.evaluate((wall) => {
+      const { hallWorld: world } = window;
+      world.put(0.3, 0.1, wall - 1.4);
+      return world.walk(3, () => ({ x: 0.3, z: wall + 9 }), 'wall');
+    }, WALL);
+    console.log(`    wall: stopped at z = ${walk.end[2]!.toFixed(2)}, ${mm(walk.deepest)} mm deep`);
+    expect.soft(walk.touched).toContain('bulging wall');
+    expect.soft(walk.end[2]).toBeLessThan(WALL + 0.45);
+    expect.soft(walk.deepest).toBeLessThan(0.03);
   });
 });
 
