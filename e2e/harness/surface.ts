@@ -1,8 +1,12 @@
 import {
+  DoubleSide,
+  FrontSide,
   type Intersection,
+  type Material,
   Matrix3,
   type Mesh,
   Raycaster,
+  type Side,
   Vector3,
   WebGLRenderer,
   type WebGLRendererParameters,
@@ -37,9 +41,14 @@ export default async function surface(test: SurfaceCase): Promise<SurfaceReport>
   const renderer = new WebGLRenderer(test.renderer);
   const center = new Vector3(...(test.center ?? [10, 2, 3]));
   const { scene, meshes } = boxesAround(center);
+  // Drawn as what shows one side, so that fronts and backs are told; three's own rays shall meet both.
+  const show = (side: Side) =>
+    meshes.forEach(({ material }) => ((material as Material).side = side));
+  show(FrontSide);
   const collider = new CubeCollider({ far: 6, ...test.collider });
   collider.position.copy(center);
   const field = (await collider.updateAsync(renderer, scene))!;
+  show(DoubleSide);
 
   const ray = new Raycaster();
   const direction = new Vector3();

@@ -117,7 +117,7 @@ ${ownNames}
 precision highp float;
 precision highp int;
 layout( location = 0 ) out highp vec4 cc_texel;
-${beside ? 'layout( location = 1 ) out highp vec4 cc_ids;' : ''}
+${beside ? 'layout( location = 1 ) out highp uvec2 cc_ids;' : ''}
 in highp vec3 cc_view;
 in highp vec2 cc_instance;
 uniform float cc_near;
@@ -227,9 +227,10 @@ export const NOTHING: ShaderTexts = {
   vertexShader: 'void main() { gl_Position = vec4( 0.0, 0.0, 2.0, 1.0 ); }',
   fragmentShader: /* glsl */ `
 layout( location = 0 ) out highp vec4 cc_texel;
-layout( location = 1 ) out highp vec4 cc_ids;
+layout( location = 1 ) out highp uvec2 cc_ids;
 void main() {
-  cc_texel = cc_ids = vec4( 0.0 );
+  cc_texel = vec4( 0.0 );
+  cc_ids = uvec2( 0u );
   discard;
 }`,
 };
