@@ -141,10 +141,10 @@ test('should tell fronts from backs of wrapped materials as of plain ones', asyn
   expect(await rule(page, 'sides')).toEqual([
     'both FrontSide: front back front back',
     'both BackSide: back front back front',
-    'both DoubleSide: front back front back',
+    'both DoubleSide: front front front front',
     'drawn FrontSide: front nothing front nothing',
     'drawn BackSide: nothing front nothing front',
-    'drawn DoubleSide: front back front back',
+    'drawn DoubleSide: front front front front',
   ]);
 });
 

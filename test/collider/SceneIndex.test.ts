@@ -225,6 +225,32 @@ describe('an index', () => {
     expect(rules.excluded.size).toBe(0);
   });
 
+  it('should take tiles that come and go every frame in and out at once, and keep none', () => {
+    const { scene } = city();
+    const tiles = new Group();
+    scene.add(tiles);
+    const { select, look, index } = watcher(scene);
+    const [first] = select();
+    const before = index.size;
+    for (let frame = 0; frame < 200; frame++) {
+      const near = box();
+      const away = box();
+      away.position.x = 50;
+      tiles.add(new Group().add(near), new Group().add(away));
+      if (tiles.children.length > 6) tiles.remove(tiles.children[0]!, tiles.children[1]!);
+      expect(look().changed).toBe(true);
+      const seen = select();
+      expect(seen).toHaveLength(1 + tiles.children.length / 2);
+      expect(seen.at(-1)).toBe(near);
+      expect(index.size).toBe(before + 2 * tiles.children.length);
+    }
+    tiles.clear();
+    look();
+    expect(index.size).toBe(before);
+    expect(select()).toEqual([first]);
+    expect(index.near.every(({ object }) => object.parent !== null)).toBe(true);
+  });
+
   it('should follow what is reparented, reordered, inserted and taken back', () => {
     const a = new Group();
     const b = new Group();

@@ -1,0 +1,3 @@
+import stream from '../../e2e/harness/stream.js';
+
+export default stream;
