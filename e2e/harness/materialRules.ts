@@ -186,6 +186,12 @@ const cases = {
     if (compile) await collider.compile(renderer, scene);
     const before = renderer.info.programs!.length;
     const views = [0, 1, 2].map(() => look(collider, renderer, scene));
+    // An app that makes a new version of it at every draw.
+    scene.children[0]!.onBeforeRender = () => (material.needsUpdate = true);
+    for (let i = 0; i < 4; i++) {
+      material.needsUpdate = true;
+      views.push(look(collider, renderer, scene));
+    }
     const made = renderer.info.programs!.length - before;
     console.warn = warn;
     const { checkShaderErrors, onShaderError } = renderer.debug;

@@ -48,7 +48,7 @@ class App {
   readonly renderer: WebGLRenderer;
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(100, 1, 0.05, 20);
-  readonly target = new WebGLRenderTarget(48, 48);
+  readonly target = new WebGLRenderTarget(32, 32);
   readonly room = new Mesh(new BoxGeometry(6, 6, 6), new MeshBasicMaterial({ side: BackSide }));
   readonly kind: Kind;
 
@@ -70,8 +70,8 @@ class App {
     this.room.visible = false;
     renderer.setRenderTarget(target);
     renderer.render(this.scene, this.camera);
-    const pixels = new Uint8Array(4 * 48 * 48);
-    renderer.readRenderTargetPixels(target, 0, 0, 48, 48, pixels);
+    const pixels = new Uint8Array(4 * 32 * 32);
+    renderer.readRenderTargetPixels(target, 0, 0, 32, 32, pixels);
     renderer.setRenderTarget(null);
     this.room.visible = true;
     return pixels;

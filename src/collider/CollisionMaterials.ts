@@ -49,8 +49,8 @@ export class CollisionMaterials {
   readonly #program: CollisionProgram;
   readonly #bySide = new Map<Side, ShaderMaterial>();
   readonly #derived = new Map<Material, Derived>();
-  /** Versions of the materials that could not be wrapped. */
-  readonly #failed = new WeakMap<Material, number>();
+  /** Materials that could not be wrapped, at which version, and how often. */
+  readonly #failed = new WeakMap<Material, { version: number; times: number }>();
   /** For groups that are no obstacle, or have no material. */
   readonly #nothing = new ShaderMaterial({ visible: false });
   readonly #arrays: Record<Solidity, WeakMap<Material[], Material[]>> = {
@@ -141,8 +141,10 @@ export class CollisionMaterials {
   #of(source: Material): Material {
     const kind = materialKind(source);
     if (kind === 'plain') return this.#ofSide(source.side);
-    if (kind === 'foreign') this.#fail(source, 'it is made for another renderer');
-    if (this.#failed.get(source) === source.version) return this.#ofSide(source.side);
+    if (kind === 'foreign' && !this.#hasFailed(source)) {
+      this.#fail(source, 'it is made for another renderer');
+    }
+    if (this.#hasFailed(source)) return this.#ofSide(source.side);
     let derived = this.#derived.get(source);
     if (derived !== undefined && (derived.wrap !== null) !== (kind === 'shader')) {
       // The user took a hook away, or gave it one.
@@ -178,8 +180,15 @@ export class CollisionMaterials {
     derived.material.dispose();
   }
 
+  /** A new version gets a second chance, but no third: an app may make a new one at every draw. */
+  #hasFailed(source: Material): boolean {
+    const failed = this.#failed.get(source);
+    return failed !== undefined && (failed.version === source.version || failed.times > 1);
+  }
+
   #fail(source: Material, reason: string): void {
-    this.#failed.set(source, source.version);
+    const times = (this.#failed.get(source)?.times ?? 0) + 1;
+    this.#failed.set(source, { version: source.version, times });
     const name = source.name === '' ? '' : ` "${source.name}"`;
     this.#warnings.once(
       `${source.type}${name} cannot be drawn into the cubemap (${reason}); what wears it collides by its plain ` +
