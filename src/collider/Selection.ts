@@ -56,6 +56,7 @@ export class Selection {
   /** Lets go of the user's objects, and of what their batches have on the GPU. */
   clear(): void {
     this.proxies.length = 0;
+    this.#scene = undefined as never;
     for (const batch of this.#batches) batch.dispose();
     this.#batches.clear();
     this.#huge.clear();
