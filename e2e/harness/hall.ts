@@ -16,7 +16,7 @@ import { createHall } from '../../demo/hall/createHall.js';
 
 const DT = 1 / 60;
 /** Frames between two judgements of what moves. */
-const EVERY = 5;
+const EVERY = 8;
 const SPEED = 3;
 
 /** What a walk came to. */
