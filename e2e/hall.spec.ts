@@ -12,6 +12,17 @@ test('walks through a hall of what is only drawn, and finds all of it solid', as
   await runInPage(page, '/e2e/harness/hall.ts');
   // The exact triangles that the GPU draws at that moment are the judge of every gap.
 
+  await test.step('a stair: up over the wall and through the gate', async () => {
+    const climb = await page.evaluate(() => {
+      const { hallWorld: world } = window;
+      // On its lowest step.
+      world.put(0, -3.9, -7.8);
+      return world.walk(3.6, () => ({ x: 0, z: 9 }));
+    });
+    expect.soft(climb.end[1]).toBeCloseTo(SKIN, 2);
+    expect.soft(climb.end[2]).toBeGreaterThan(1);
+  });
+
   await test.step('a grove of instances: through between the trees, and through none of them', async () => {
     const walk = await page.evaluate(() => {
       const { hallWorld: world } = window;
