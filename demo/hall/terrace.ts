@@ -17,6 +17,8 @@ const [PARAPET, THICK] = [1.15, 0.36];
 /** The way up: steps of 0.20 × 0.35 m. */
 const STEPS = 21;
 const [RISE, RUN, STAIR] = [TERRACE_HEIGHT / STEPS, 0.35, 3];
+/** How far north the plaza's wall and its coping reach: the last step lies over them, metres. */
+const WALL = 1.14;
 /** Half the gate's clear width. */
 const GATE = 1.6;
 
@@ -112,7 +114,7 @@ function createStair(material: Materials): Object3D {
   const edges: BufferGeometry[] = [];
   const nose = 0.06;
   for (let i = 0; i < STEPS; i++) {
-    const front = -1 - RUN * (STEPS - 1 - i);
+    const front = -WALL - RUN * (STEPS - 1 - i);
     const back = i === STEPS - 1 ? end : front + RUN;
     const height = RISE * (i + 1);
     const top = height - TERRACE_HEIGHT;
@@ -121,18 +123,19 @@ function createStair(material: Materials): Object3D {
     edges.push(box(front, front + nose));
     treads.push(box(front + nose, back));
   }
-  const length = RUN * (STEPS - 1);
+  const length = RUN * (STEPS - 1) + WALL;
   const sides = (wide: number, high: number, above: number) =>
     merge(
       ...[-1, 1].map((side) => {
-        const bar = slab(wide, high, length + 1, side * (STAIR / 2 + 0.15), -(length + 1) / 2);
+        const bar = slab(wide, high, length, side * (STAIR / 2 + 0.15), -length / 2);
         return slanted(bar, above);
       }),
     );
   return assemble('terrace stair', [
     [merge(...treads), material('slab')],
     [merge(...edges), material('nosing')],
-    [sides(0.3, 2.2, 0.85), material('plaster')],
+    // Down into the ground all along.
+    [sides(0.3, TERRACE_HEIGHT + 1, 0.85), material('plaster')],
     [sides(0.42, 0.1, 0.93), material('tile')],
   ]);
 }
@@ -141,7 +144,7 @@ function createStair(material: Materials): Object3D {
 function slanted(bar: BoxGeometry, above: number): BufferGeometry {
   const { position } = bar.attributes;
   for (let i = 0; i < position!.count; i++) {
-    const along = Math.min(0, position!.getZ(i) + 1);
+    const along = Math.min(0, position!.getZ(i) + WALL);
     position!.setY(i, position!.getY(i) + above + along * (RISE / RUN));
   }
   bar.computeVertexNormals();
