@@ -53,19 +53,24 @@ function tablesOf(rows) {
   return Object.entries(GROUPS).flatMap(([group, heading]) => {
     const own = rows.filter((row) => row.group === group);
     if (own.length === 0) return [];
-    const noted = own.some(({ note }) => note);
     /** @param {(string | number)[]} cells */
-    const line = (...cells) => `| ${(noted ? cells : cells.slice(0, 5)).join(' | ')} |`;
-    return [
-      `### ${heading}`,
-      [
-        line('kind', 'WebGL2', 'worst error, mm', 'draws', 'programs', 'note'),
-        line('---', '---', '---:', '---:', '---:', '---'),
-        ...own.map(({ kind, worst, draws, programs, note }) =>
-          line(kind, 'as drawn', (1000 * worst).toFixed(2), draws, programs, note ?? ''),
-        ),
-      ].join('\n'),
-    ];
+    const line = (...cells) => `| ${cells.join(' | ')} |`;
+    // Rules are kept or not: there is nothing to measure.
+    const table =
+      group === 'policy'
+        ? [
+            line('what', 'is it an obstacle?'),
+            line('---', '---'),
+            ...own.map(({ kind, note }) => line(kind.replace('policy: ', ''), note ?? '')),
+          ]
+        : [
+            line('kind', 'WebGL2', 'worst error, mm', 'draws', 'programs'),
+            line('---', '---', '---:', '---:', '---:'),
+            ...own.map(({ kind, worst, draws, programs }) =>
+              line(kind, 'as drawn', (1000 * worst).toFixed(2), draws, programs),
+            ),
+          ];
+    return [`### ${heading}`, table.join('\n')];
   });
 }
 
