@@ -147,8 +147,9 @@ export class Probe<R, S> {
       this.#retreat();
     }
     collider.position.copy(target);
-    // One that waits already may as well be blocked: where the GPU never drains, nothing comes by itself.
-    if (collider.update(renderer, scene, ahead) === false) return false;
+    // In a fast fall the newest field is always far behind, and no reason to block; what it vouches for still holds.
+    const patient = ahead && velocity.y < -REACH_SPEED;
+    if (collider.update(renderer, scene, patient) === false) return false;
     this.#policy.drawn(target, middle);
     const asked = this.#asked[this.#turn++ % ASKED]!;
     asked.center.copy(target);
