@@ -89,7 +89,6 @@ export class Anchor {
         this.#vertices[corner] = vertex;
       }
       if (best === Infinity) return false;
-      this.object = mesh;
       if (corner === 0) vertexOf(mesh, this.#vertices[0]!, a);
       if (corner === 1) vertexOf(mesh, this.#vertices[1]!, b);
     }

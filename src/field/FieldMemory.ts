@@ -3,6 +3,7 @@ import { directionTexel } from '../cube/texelDirections.js';
 import { isKnownFree } from './knownFree.js';
 import { isSeenAgain } from './seenAgain.js';
 import { Surfels } from './Surfels.js';
+import { own, toWorldAxes, world } from './toWorldAxes.js';
 import type { SurfaceField } from './SurfaceField.js';
 
 /** Fields kept: what the newest cannot see any more, an older one may have seen. */
@@ -127,8 +128,11 @@ export class FieldMemory {
       const dz = z - s.origin.z;
       const room = s.far - reach;
       if (!(room > 0) || dx * dx + dy * dy + dz * dz > room * room) continue;
-      this.#toWorld(dx, dy, dz);
-      if (isKnownFree(s.distance, s.resolution, s.far, way[0]!, way[1]!, way[2]!, margin)) {
+      own[0] = dx;
+      own[1] = dy;
+      own[2] = dz;
+      toWorldAxes(this.toBody);
+      if (isKnownFree(s.distance, s.resolution, s.far, world[0]!, world[1]!, world[2]!, margin)) {
         return true;
       }
     }
@@ -144,28 +148,17 @@ export class FieldMemory {
   isHidden(x: number, y: number, z: number, depth: number): boolean {
     if (this.kept.length === 0 || this.isKnownFree(x, y, z, 0, 0)) return false;
     const s = this.kept[0]!.surfels;
-    this.#toWorld(x - s.origin.x, y - s.origin.y, z - s.origin.z);
-    const dx = way[0]!;
-    const dy = way[1]!;
-    const dz = way[2]!;
+    own[0] = x - s.origin.x;
+    own[1] = y - s.origin.y;
+    own[2] = z - s.origin.z;
+    toWorldAxes(this.toBody);
+    const dx = world[0]!;
+    const dy = world[1]!;
+    const dz = world[2]!;
     const away = Math.sqrt(dx * dx + dy * dy + dz * dz);
     return away - s.distance[directionTexel(dx, dy, dz, s.resolution)]! > depth;
   }
-
-  /** Turns a vector of the body's frame to world axes, into `way`. */
-  #toWorld(x: number, y: number, z: number): void {
-    const { w, x: qx, y: qy, z: qz } = this.toBody;
-    // By the conjugate.
-    const tx = 2 * (-qy * z + qz * y);
-    const ty = 2 * (-qz * x + qx * z);
-    const tz = 2 * (-qx * y + qy * x);
-    way[0] = x + w * tx - (qy * tz - qz * ty);
-    way[1] = y + w * ty - (qz * tx - qx * tz);
-    way[2] = z + w * tz - (qx * ty - qy * tx);
-  }
 }
-
-const way = /* @__PURE__ */ new Float64Array(3);
 
 function keptField(resolution: number): KeptField {
   const surfels = new Surfels(resolution);
