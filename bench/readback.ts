@@ -6,12 +6,11 @@ import {
   PlaneGeometry,
   Scene,
   ShaderMaterial,
-  Vector3,
   WebGLRenderer,
   BackSide,
 } from 'three';
 import { CubeCollider } from 'three-cube-collider';
-import { DrawnObjects } from '../src/collider/DrawnObjects.js';
+import { DrawStamp } from '../src/collider/DrawStamp.js';
 import { ReadbackRing } from '../src/collider/ReadbackRing.js';
 
 /**
@@ -81,7 +80,7 @@ export default async function readback({
   };
   const target = collider.renderTarget!;
   const ring = new ReadbackRing(gl, target.width, target.height, true);
-  const objects = new DrawnObjects();
+  const drawn = new DrawStamp();
   result.bytes = ring.data.byteLength;
   let last = performance.now();
   let reads = collider.stats.reads;
@@ -103,14 +102,9 @@ export default async function readback({
           renderer.setRenderTarget(target);
           renderer.clear();
           serial++;
-          ring.start({
-            center: new Vector3(),
-            far: 2,
-            time: performance.now(),
-            serial,
-            update: serial,
-            objects,
-          });
+          drawn.time = performance.now();
+          drawn.serial = drawn.update = serial;
+          ring.start(drawn);
           renderer.setRenderTarget(null);
         }
       } else if (mode === 'ask') {

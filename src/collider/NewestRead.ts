@@ -3,10 +3,10 @@ import { AxisMaxima } from '../cube/AxisMaxima.js';
 import { decodeSurface } from '../cube/encoding.js';
 import { texelDirections } from '../cube/texelDirections.js';
 import { SurfaceField } from '../field/SurfaceField.js';
-import type { ColliderResources } from './ColliderResources.js';
 import type { CubeColliderSettings } from './CubeColliderOptions.js';
 import type { CubeColliderStats } from './CubeColliderStats.js';
-import type { DrawStamp } from './ReadbackRing.js';
+import type { CubemapDevice } from './CubemapDevice.js';
+import type { DrawStamp } from './DrawStamp.js';
 
 /** Updates without any data after which some are waited for, however busy the GPU. */
 const PATIENCE = 4;
@@ -34,10 +34,10 @@ export class NewestRead {
     this.#axisMaxima = new AxisMaxima(settings.rMin, settings.rMax);
   }
 
-  /** Decodes what the ring has copied last. @param update number of the update it arrives in */
-  publish(gpu: ColliderResources, stamp: DrawStamp, update: number): void {
-    if (gpu.axis !== null) {
-      gpu.axis.decode(gpu.ring.data as Uint8Array, this.#axisMaxima);
+  /** Decodes what the device has read last. @param update number of the update it arrives in */
+  publish(gpu: CubemapDevice<unknown>, stamp: DrawStamp, update: number): void {
+    if (this.#settings.output === 'axis') {
+      gpu.decodeMaxima(this.#axisMaxima);
       this.#axisMaxima.center.copy(stamp.center);
       this.maxima = this.#axisMaxima;
     } else {
@@ -53,7 +53,7 @@ export class NewestRead {
       next.center.copy(stamp.center);
       next.time = stamp.time;
       next.serial = stamp.serial;
-      decodeSurface(gpu.format, gpu.ring.data, next, gpu.ring.ids, supersample);
+      decodeSurface(gpu.format, gpu.data, next, gpu.ids, supersample);
       stamp.objects.handTo(next);
       this.field = next;
     }

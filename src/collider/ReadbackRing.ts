@@ -1,29 +1,7 @@
-import { Vector3 } from 'three';
-import { DrawnObjects } from './DrawnObjects.js';
-
-/** When and where the texels of a read were drawn, and what. */
-export interface DrawStamp {
-  readonly center: Vector3;
-  /** Reach, metres. */
-  far: number;
-  /** `performance.now()` milliseconds. */
-  time: number;
-  /** Number of the draw. */
-  serial: number;
-  /** Number of the update that drew. */
-  update: number;
-  /** The draw's own table; `ReadbackRing.start` takes it and leaves an empty one. */
-  objects: DrawnObjects;
-}
+import { DrawStamp } from './DrawStamp.js';
 
 /** A pixel-pack buffer for each texture and what is on its way in them. */
-class PackBuffer implements DrawStamp {
-  readonly center = new Vector3();
-  far = 0;
-  time = 0;
-  serial = 0;
-  update = 0;
-  objects = new DrawnObjects();
+class PackBuffer extends DrawStamp {
   buffer: WebGLBuffer | null = null;
   /** For ids; a buffer of its own, since several browsers mishandle offsets into one. */
   idBuffer: WebGLBuffer | null = null;
@@ -114,14 +92,7 @@ export class ReadbackRing {
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
     slot.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
-    slot.center.copy(stamp.center);
-    slot.far = stamp.far;
-    const { objects } = slot;
-    slot.objects = stamp.objects;
-    stamp.objects = objects;
-    slot.time = stamp.time;
-    slot.serial = stamp.serial;
-    slot.update = stamp.update;
+    slot.take(stamp);
     slot.pending = true;
     return true;
   }

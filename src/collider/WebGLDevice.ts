@@ -1,0 +1,193 @@
+import type { Material, Vector3, WebGLRenderer, WebGLRenderTarget } from 'three';
+import { atlasSize } from '../cube/atlas.js';
+import type { AxisMaxima } from '../cube/AxisMaxima.js';
+import { hasIdTexture, type TexelFormat } from '../cube/encoding.js';
+import type { Warnings } from '../Warnings.js';
+import { AxisPass } from './AxisPass.js';
+import { CollisionMaterials } from './CollisionMaterials.js';
+import type { CubeColliderSettings } from './CubeColliderOptions.js';
+import type { CubemapDevice, DeviceClient, Scenery } from './CubemapDevice.js';
+import type { DrawStamp } from './DrawStamp.js';
+import { FaceCameras } from './FaceCameras.js';
+import type { Solidity } from './isSolid.js';
+import { NearestPass } from './NearestPass.js';
+import { ReadbackRing } from './ReadbackRing.js';
+import { type ReadbackClient, ReadbackScheduler } from './ReadbackScheduler.js';
+import { RendererState } from './RendererState.js';
+import { bestTexelFormat, canDraw, clearTexels, createTexelTarget } from './texelTarget.js';
+
+/** A collider's part on the GPU of a `WebGLRenderer`. */
+export class WebGLDevice implements CubemapDevice<WebGLRenderer> {
+  readonly format: TexelFormat;
+  readonly atlas: WebGLRenderTarget;
+  /** What scenery is drawn into; the atlas itself, unless it is drawn finer. */
+  readonly #drawn: WebGLRenderTarget;
+  readonly #cameras: FaceCameras;
+  readonly #materials: CollisionMaterials;
+  /** The search for the maxima; null if surfaces are read. */
+  readonly #axis: AxisPass | null;
+  /** Keeps the nearest of what is drawn finer; null if it is not. */
+  readonly #nearest: NearestPass | null;
+  readonly #state = new RendererState();
+  readonly #ring: ReadbackRing;
+  /** Finds the moments for asynchronous reads; null if they are synchronous. */
+  readonly #scheduler: ReadbackScheduler | null;
+  readonly #waiting: ReadbackClient;
+  readonly #lost: () => void;
+  /** Pending while programs are being compiled. */
+  #compiling: Promise<unknown> | null = null;
+  #disposed = false;
+
+  constructor(
+    readonly renderer: WebGLRenderer,
+    settings: CubeColliderSettings,
+    client: DeviceClient,
+    warnings: Warnings,
+  ) {
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    const { resolution, supersample, near, far, output } = settings;
+    const fine = resolution * supersample;
+    const axis = output === 'axis';
+    this.format = axis ? 'RGBA8' : usableFormat(gl, settings.format);
+    const ids = !axis && hasIdTexture(this.format);
+    const { width, height } = atlasSize(resolution);
+    this.#drawn = createTexelTarget(
+      supersample * width,
+      supersample * height,
+      this.format,
+      true,
+      ids,
+    );
+    this.#nearest =
+      supersample > 1 ? new NearestPass(resolution, supersample, this.format, this.#drawn) : null;
+    this.atlas = this.#nearest?.result ?? this.#drawn;
+    this.#cameras = new FaceCameras(fine, near, far);
+    this.#materials = new CollisionMaterials(
+      { ...settings, resolution: fine, format: this.format },
+      renderer,
+      warnings,
+    );
+    this.#axis = axis ? new AxisPass(resolution, this.atlas.texture) : null;
+    const float = this.format !== 'RGBA8';
+    this.#ring = axis
+      ? new ReadbackRing(gl, 6, 1, false)
+      : new ReadbackRing(gl, width, height, float, ids);
+    this.#scheduler = settings.readback === 'async' ? ReadbackScheduler.of(gl) : null;
+    this.#waiting = {
+      deliver: () => client.deliver(),
+      urgent: () => client.urgent() && this.#ring.fenced,
+    };
+    this.#lost = () => client.lost();
+    renderer.domElement.addEventListener('webglcontextlost', this.#lost);
+  }
+
+  get data(): Float32Array | Uint8Array {
+    return this.#ring.data;
+  }
+
+  get ids(): Uint32Array | null {
+    return this.#ring.ids;
+  }
+
+  get inFlight(): number {
+    return this.#ring.inFlight;
+  }
+
+  get free(): boolean {
+    return this.#ring.free;
+  }
+
+  dress(source: Material | Material[], solidity: Solidity): Material | Material[] {
+    return this.#materials.for(source, solidity);
+  }
+
+  draw(scenery: Scenery, center: Vector3, far: number, drawn: (calls: number) => void): void {
+    const { renderer } = this;
+    this.#cameras.moveTo(center);
+    this.#cameras.reach(far);
+    this.#materials.far = far;
+    this.#state.enter(renderer, this.#materials.shaderFailed);
+    try {
+      let before: number;
+      do {
+        scenery.select();
+        before = renderer.info.render.calls;
+        clearTexels(renderer, this.#drawn);
+        renderer.render(scenery.scene, this.#cameras);
+        // At once again, where a material could not be wrapped and something plainer takes its place.
+      } while (this.#materials.giveUp());
+      const calls = renderer.info.render.calls - before;
+      this.#axis?.reduce(renderer);
+      this.#nearest?.reduce(renderer);
+      drawn(calls);
+    } finally {
+      this.#state.leave(renderer);
+    }
+  }
+
+  start(stamp: DrawStamp): void {
+    this.#ring.start(stamp);
+    this.#scheduler!.wait(this.#waiting);
+  }
+
+  readonly readNow = (): void => this.#ring.readNow();
+
+  finish(): DrawStamp | null {
+    return this.#ring.finish();
+  }
+
+  drop(): void {
+    this.#ring.drop();
+    this.#scheduler?.cancel(this.#waiting);
+  }
+
+  decodeMaxima(target: AxisMaxima): void {
+    this.#axis!.decode(this.#ring.data as Uint8Array, target);
+  }
+
+  async compile(scenery: Scenery): Promise<boolean> {
+    const { renderer } = this;
+    const worn = new Set(scenery.select().flatMap(({ material }) => material));
+    this.#state.enter(renderer, this.#materials.shaderFailed);
+    try {
+      renderer.setRenderTarget(this.#drawn);
+      this.#compiling = renderer.compileAsync(scenery.scene, this.#cameras);
+      this.#axis?.compile(renderer);
+      this.#nearest?.compile(renderer);
+    } finally {
+      this.#state.leave(renderer);
+    }
+    await this.#compiling;
+    this.#compiling = null;
+    if (this.#disposed) return false;
+    this.#state.enter(renderer, this.#materials.shaderFailed);
+    try {
+      this.#materials.finish(worn);
+    } finally {
+      this.#state.leave(renderer);
+    }
+    return this.#materials.giveUp();
+  }
+
+  dispose(): void {
+    this.#disposed = true;
+    this.drop();
+    this.renderer.domElement.removeEventListener('webglcontextlost', this.#lost);
+    // three still asks for the programs of materials that it is compiling.
+    if (this.#compiling !== null) void this.#compiling.finally(() => this.#free());
+    else this.#free();
+  }
+
+  #free(): void {
+    this.#drawn.dispose();
+    this.#nearest?.dispose();
+    this.#materials.dispose();
+    this.#axis?.dispose();
+    this.#ring.dispose();
+  }
+}
+
+/** The format asked for, if the context can draw it; else the best that it can. */
+function usableFormat(gl: WebGL2RenderingContext, wanted: TexelFormat | 'auto'): TexelFormat {
+  return wanted !== 'auto' && canDraw(gl, wanted) ? wanted : bestTexelFormat(gl);
+}
