@@ -5,6 +5,7 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 /** The package under its public names, so that the demo imports it as a user would. */
 export const alias = {
+  'three-cube-collider/webgpu': here('src/webgpu/index.ts'),
   'three-cube-collider/helpers': here('src/helpers/index.ts'),
   'three-cube-collider': here('src/index.ts'),
 };

@@ -1,4 +1,4 @@
-import type { Material, Object3D, RenderTarget, Vector3 } from 'three';
+import type { Material, RenderTarget, Scene, Vector3 } from 'three';
 import type { AxisMaxima } from '../cube/AxisMaxima.js';
 import type { TexelFormat } from '../cube/encoding.js';
 import type { DrawStamp } from './DrawStamp.js';
@@ -18,7 +18,7 @@ export interface DeviceClient {
 /** What a cubemap shows. */
 export interface Scenery {
   /** To be rendered: holds the proxies that `select` leaves. */
-  readonly scene: Object3D;
+  readonly scene: Scene;
   /** Selects and dresses the proxies anew. */
   select(): readonly ObjectProxy[];
 }

@@ -12,6 +12,7 @@ import {
   refreshUniforms,
   type Turn,
 } from './derivedMaterial.js';
+import { isMirror } from './isMirror.js';
 import { alphaCut, frontSignOf, isHooked } from './materialKind.js';
 import { NOTHING, wrapShader } from './wrapShader.js';
 
@@ -31,9 +32,6 @@ export interface WrapSettings {
   /** Of all materials; taken over under names of the wrapper's own. */
   readonly uniforms: Readonly<Uniforms>;
 }
-
-/** Objects whose own hook renders the scene once more, into a texture of theirs. */
-const MIRRORS = ['isReflector', 'isRefractor', 'isWater'] as const;
 
 /**
  * The collision material of one with the user's code in it: a `ShaderMaterial`, raw or not, or one of three's with an
@@ -175,8 +173,4 @@ export class WrappedMaterial {
       source.onBeforeRender(renderer, scene, camera, geometry, object, group);
     };
   }
-}
-
-function isMirror(object: object): boolean {
-  return MIRRORS.some((flag) => (object as Record<string, unknown>)[flag] === true);
 }

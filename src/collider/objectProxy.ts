@@ -45,7 +45,8 @@ function announce(
     material.beforeTurn(this, renderer, camera, geometry, group);
     return;
   }
-  const { object } = (material as ShaderMaterial).uniforms;
+  // Node materials ask the object themselves.
+  const object = (material as Partial<ShaderMaterial>).uniforms?.object;
   if (object === undefined) return;
   object.value = this.drawNumber;
   // Else three uploads a material's uniforms only where another was drawn before.

@@ -28,7 +28,7 @@ export function hasIdTexture(format: TexelFormat): boolean {
 }
 
 /** Steps of one octahedral coordinate, always even so that 0 is one of them. */
-const NORMAL_STEPS = { RGBA32F: 4094, RGBA16F: 2046, RGBA8: 254 } as const;
+export const NORMAL_STEPS = { RGBA32F: 4094, RGBA16F: 2046, RGBA8: 254 } as const;
 /** Steps of the distance in RGBA8: 15 bits, of which 0 means "nothing seen". */
 const BYTE_STEPS = 32766;
 /** RGBA16F writes the distance as two integers below this; a half float holds them exactly. */

@@ -1,0 +1,98 @@
+import {
+  cameraProjectionMatrix,
+  float,
+  highpModelViewMatrix,
+  output,
+  positionLocal,
+  positionView,
+  vec4,
+} from 'three/tsl';
+import {
+  LessEqualDepth,
+  NoBlending,
+  type Node,
+  type NodeBuilder,
+  NodeMaterial,
+} from 'three/webgpu';
+import { surfaceTexel, type TexelUniforms } from './surfaceTexel.js';
+
+/** All that NodeMaterial's observer is asked: our objects' numbers change though nothing else does. */
+const ALWAYS = { needsRefresh: () => true };
+
+/**
+ * What scenery wears in the cubemap of a `WebGPURenderer`: three's own chain of vertex tricks and of what cuts holes into
+ * a surface, and our texel for its colour.
+ */
+export class CollisionNodeMaterial extends NodeMaterial {
+  static override get type(): string {
+    return 'CollisionNodeMaterial';
+  }
+
+  /** See `frontSignOf`; here also -1 of a `BackSide` that is culled. */
+  frontSign = 1;
+  /** Smallest w of a vertex, metres. */
+  readonly #least: number;
+  readonly #uniforms: TexelUniforms;
+  #texel: Node<'vec4'> | null = null;
+
+  /** @param near of the face cameras, metres */
+  constructor(uniforms: TexelUniforms, near: number) {
+    super();
+    this.#uniforms = uniforms;
+    this.#least = 0.1 * near;
+    this.name = 'CubeCollider';
+    this.lights = false;
+    this.fog = false;
+    this.blending = NoBlending;
+    this.toneMapped = false;
+    this.depthFunc = LessEqualDepth;
+    // Drawn twice otherwise, where a side is double.
+    this.forceSinglePass = true;
+    this.allowOverride = false;
+  }
+
+  override customProgramCacheKey(): string {
+    return super.customProgramCacheKey() + this.#uniforms.key;
+  }
+
+  override setupObserver(): never {
+    return ALWAYS as never;
+  }
+
+  /** In doubles up to the matrix, whatever the renderer's `highPrecision`. */
+  override setupPositionView(): Node<'vec3'> {
+    return highpModelViewMatrix.mul(vec4(positionLocal, 1)).xyz;
+  }
+
+  override setupModelViewProjection(): Node<'vec4'> {
+    return this.nudge(cameraProjectionMatrix.mul(vec4(positionView, 1)));
+  }
+
+  /** As in `collisionShader.ts`: a vertex in the face camera's own plane. */
+  nudge(clip: Node<'vec4'>): Node<'vec4'> {
+    const place = clip.toVar();
+    const least = float(this.#least);
+    const w = place.w
+      .abs()
+      .lessThan(least)
+      .select(place.w.lessThan(0).select(least.negate(), least), place.w);
+    return vec4(place.xyz, w);
+  }
+
+  override setupDiffuseColor(builder: NodeBuilder): void {
+    this.#texel = surfaceTexel(builder, this.#uniforms);
+    // Maps unblurred: a texel stands for one ray, and a fence's wires must not fade because the cubemap is small.
+    (builder.context as { getTextureLevel?: unknown }).getTextureLevel = () => float(0);
+    super.setupDiffuseColor(builder);
+  }
+
+  override setupOutput(builder: NodeBuilder, outputNode: Node<'vec4'>): Node<'vec4'> {
+    this.setupHoles(builder, outputNode);
+    return this.#texel!;
+  }
+
+  /** What else may discard a fragment. */
+  protected setupHoles(_builder: NodeBuilder, outputNode: Node<'vec4'>): void {
+    output.assign(outputNode);
+  }
+}

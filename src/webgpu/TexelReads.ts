@@ -1,0 +1,143 @@
+import type { RenderTarget, WebGPURenderer } from 'three/webgpu';
+import type { DeviceClient } from '../collider/CubemapDevice.js';
+import type { DrawStamp } from '../collider/DrawStamp.js';
+import { ReadbackRing } from '../collider/ReadbackRing.js';
+import { type ReadbackClient, ReadbackScheduler } from '../collider/ReadbackScheduler.js';
+import { backendOf } from './backendOf.js';
+import { MappedRing } from './MappedRing.js';
+
+/** Reads a target of float texels, on either backend. */
+export interface TexelReads {
+  readonly data: Float32Array;
+  readonly inFlight: number;
+  readonly free: boolean;
+  /** Starts to read what was just drawn into the target. */
+  start(stamp: DrawStamp): void;
+  finish(): DrawStamp | null;
+  drop(): void;
+  dispose(): void;
+}
+
+export function createReads(
+  renderer: WebGPURenderer,
+  target: RenderTarget,
+  client: DeviceClient,
+): TexelReads {
+  const backend = backendOf(renderer);
+  return backend.isWebGPUBackend === true
+    ? new MappedReads(renderer, target, client)
+    : new FallbackReads(renderer, target, client);
+}
+
+/** WebGPU: never blocks. */
+class MappedReads implements TexelReads {
+  readonly data: Float32Array;
+  readonly #ring: MappedRing;
+  readonly #source: () => GPUTexture;
+
+  constructor(renderer: WebGPURenderer, target: RenderTarget, client: DeviceClient) {
+    const backend = backendOf(renderer);
+    const { width, height, texture } = target;
+    this.#ring = new MappedRing(backend.device!, width, height, () => client.deliver());
+    this.#source = () => backend.get(texture).texture!;
+    this.data = this.#ring.data;
+  }
+
+  get inFlight(): number {
+    return this.#ring.inFlight;
+  }
+
+  get free(): boolean {
+    return this.#ring.free;
+  }
+
+  start(stamp: DrawStamp): void {
+    this.#ring.start(this.#source(), stamp);
+  }
+
+  finish(): DrawStamp | null {
+    return this.#ring.finish();
+  }
+
+  drop(): void {
+    this.#ring.drop();
+  }
+
+  dispose(): void {
+    this.#ring.dispose();
+  }
+}
+
+/** The WebGL 2 fallback: as for `WebGLRenderer`, once the GPU has nothing queued. */
+class FallbackReads implements TexelReads {
+  readonly data: Float32Array;
+  readonly #ring: ReadbackRing;
+  readonly #scheduler: ReadbackScheduler;
+  readonly #waiting: ReadbackClient;
+  readonly #renderer: WebGPURenderer;
+  readonly #target: RenderTarget;
+  #framebuffer: WebGLFramebuffer | null = null;
+
+  constructor(renderer: WebGPURenderer, target: RenderTarget, client: DeviceClient) {
+    const gl = backendOf(renderer).gl!;
+    this.#renderer = renderer;
+    this.#target = target;
+    this.#ring = new ReadbackRing(gl, target.width, target.height, true);
+    this.#scheduler = ReadbackScheduler.of(gl);
+    this.#waiting = {
+      deliver: () => client.deliver(),
+      urgent: () => client.urgent() && this.#ring.fenced,
+    };
+    this.data = this.#ring.data as Float32Array;
+  }
+
+  get inFlight(): number {
+    return this.#ring.inFlight;
+  }
+
+  get free(): boolean {
+    return this.#ring.free;
+  }
+
+  start(stamp: DrawStamp): void {
+    const { gl, state } = backendOf(this.#renderer) as Required<ReturnType<typeof backendOf>>;
+    // By three's own hand: it remembers what is bound.
+    state.bindFramebuffer(gl.READ_FRAMEBUFFER, this.#attached(gl, state));
+    this.#ring.start(stamp);
+    state.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+    this.#scheduler.wait(this.#waiting);
+  }
+
+  finish(): DrawStamp | null {
+    return this.#ring.finish();
+  }
+
+  drop(): void {
+    this.#ring.drop();
+    this.#scheduler.cancel(this.#waiting);
+  }
+
+  dispose(): void {
+    this.drop();
+    this.#ring.dispose();
+    backendOf(this.#renderer).gl!.deleteFramebuffer(this.#framebuffer);
+  }
+
+  #attached(
+    gl: WebGL2RenderingContext,
+    state: { bindFramebuffer(target: number, framebuffer: WebGLFramebuffer | null): void },
+  ): WebGLFramebuffer {
+    if (this.#framebuffer !== null) return this.#framebuffer;
+    const framebuffer = gl.createFramebuffer();
+    const { textureGPU } = backendOf(this.#renderer).get(this.#target.texture);
+    state.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer);
+    gl.framebufferTexture2D(
+      gl.READ_FRAMEBUFFER,
+      gl.COLOR_ATTACHMENT0,
+      gl.TEXTURE_2D,
+      textureGPU!,
+      0,
+    );
+    return (this.#framebuffer = framebuffer);
+  }
+}

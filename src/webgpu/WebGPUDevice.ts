@@ -1,0 +1,144 @@
+import type { Material, RenderTarget, Vector3, WebGPURenderer } from 'three/webgpu';
+import { atlasSize } from '../cube/atlas.js';
+import type { AxisMaxima } from '../cube/AxisMaxima.js';
+import type { CubeColliderSettings } from '../collider/CubeColliderOptions.js';
+import type { CubemapDevice, DeviceClient, Scenery } from '../collider/CubemapDevice.js';
+import type { DrawStamp } from '../collider/DrawStamp.js';
+import { FaceCameras } from '../collider/FaceCameras.js';
+import type { Solidity } from '../collider/isSolid.js';
+import { backendOf } from './backendOf.js';
+import { ClippedScenery } from './ClippedScenery.js';
+import { NearestQuad } from './NearestQuad.js';
+import { NodeCollisionMaterials } from './NodeCollisionMaterials.js';
+import { NodeRendererState } from './NodeRendererState.js';
+import { createReads, type TexelReads } from './TexelReads.js';
+import { createFloatTarget } from './texelTargets.js';
+
+/** A collider's part on the GPU of a `WebGPURenderer`, on its WebGPU backend or its WebGL 2 fallback. */
+export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
+  readonly format = 'RGBA32F';
+  readonly ids = null;
+  readonly readNow = null;
+  /** What scenery is drawn into; its rows count downward. */
+  readonly #drawn: RenderTarget;
+  readonly #cameras: FaceCameras;
+  readonly #materials: NodeCollisionMaterials;
+  readonly #nearest: NearestQuad;
+  readonly #state = new NodeRendererState();
+  readonly #clipped = new ClippedScenery();
+  readonly #reads: TexelReads;
+  readonly #lost: () => void;
+  #compiling: Promise<unknown> | null = null;
+  #disposed = false;
+
+  constructor(
+    readonly renderer: WebGPURenderer,
+    settings: CubeColliderSettings,
+    client: DeviceClient,
+  ) {
+    const { resolution, supersample, near, far } = settings;
+    const fine = resolution * supersample;
+    const { width, height } = atlasSize(fine);
+    const { device } = backendOf(renderer);
+    this.#drawn = createFloatTarget(width, height, true);
+    this.#nearest = new NearestQuad(resolution, supersample, this.#drawn, device !== undefined);
+    this.#cameras = new FaceCameras(fine, near, far);
+    this.#materials = new NodeCollisionMaterials(settings);
+    this.#reads = createReads(renderer, this.#nearest.result, client);
+    this.#lost = () => {
+      if (!this.#disposed) client.lost();
+    };
+    if (device !== undefined) void device.lost.then(this.#lost);
+    else renderer.domElement.addEventListener('webglcontextlost', this.#lost);
+  }
+
+  get atlas(): RenderTarget {
+    return this.#nearest.result;
+  }
+
+  get data(): Float32Array {
+    return this.#reads.data;
+  }
+
+  get inFlight(): number {
+    return this.#reads.inFlight;
+  }
+
+  get free(): boolean {
+    return this.#reads.free;
+  }
+
+  dress(source: Material | Material[], solidity: Solidity): Material | Material[] {
+    return this.#materials.for(source, solidity);
+  }
+
+  draw(scenery: Scenery, center: Vector3, far: number, drawn: (calls: number) => void): void {
+    const { renderer } = this;
+    this.#cameras.moveTo(center);
+    this.#cameras.reach(far);
+    this.#materials.far = far;
+    this.#state.enter(renderer);
+    try {
+      this.#arrange(scenery);
+      renderer.setRenderTarget(this.#drawn);
+      const before = renderer.info.render.drawCalls;
+      renderer.render(scenery.scene, this.#cameras);
+      const calls = renderer.info.render.drawCalls - before;
+      this.#nearest.reduce(renderer);
+      drawn(calls);
+    } finally {
+      this.#state.leave(renderer);
+    }
+  }
+
+  start(stamp: DrawStamp): void {
+    this.#reads.start(stamp);
+  }
+
+  finish(): DrawStamp | null {
+    return this.#reads.finish();
+  }
+
+  drop(): void {
+    this.#reads.drop();
+  }
+
+  decodeMaxima(_target: AxisMaxima): void {}
+
+  async compile(scenery: Scenery): Promise<boolean> {
+    const { renderer } = this;
+    this.#state.enter(renderer);
+    try {
+      this.#arrange(scenery);
+      renderer.setRenderTarget(this.#drawn);
+      const scene = renderer.compileAsync(scenery.scene, this.#cameras);
+      this.#compiling = Promise.all([scene, this.#nearest.compile(renderer)]);
+    } finally {
+      this.#state.leave(renderer);
+    }
+    await this.#compiling;
+    this.#compiling = null;
+    return false;
+  }
+
+  dispose(): void {
+    this.#disposed = true;
+    this.renderer.domElement.removeEventListener('webglcontextlost', this.#lost);
+    this.#reads.dispose();
+    // three still asks for the programs of materials that it is compiling.
+    if (this.#compiling !== null) void this.#compiling.finally(() => this.#free());
+    else this.#free();
+  }
+
+  #free(): void {
+    this.#drawn.dispose();
+    this.#nearest.dispose();
+    this.#materials.dispose();
+  }
+
+  #arrange({ scene, select }: Scenery): void {
+    scene.children = this.#clipped.arrange(select());
+    // The clear colour, which is ours here.
+    scene.background = null;
+  }
+}

@@ -1,0 +1,28 @@
+import {
+  FloatType,
+  HalfFloatType,
+  NearestFilter,
+  NoColorSpace,
+  RenderTarget,
+  RGBAFormat,
+} from 'three/webgpu';
+
+/** A target of plain float texels: nearest, no mipmaps, no antialiasing. */
+export function createFloatTarget(
+  width: number,
+  height: number,
+  depthBuffer: boolean,
+  half = false,
+): RenderTarget {
+  return new RenderTarget(width, height, {
+    type: half ? HalfFloatType : FloatType,
+    format: RGBAFormat,
+    colorSpace: NoColorSpace,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+    generateMipmaps: false,
+    depthBuffer,
+    stencilBuffer: false,
+    samples: 0,
+  });
+}
