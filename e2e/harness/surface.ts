@@ -8,13 +8,14 @@ import {
   Raycaster,
   type Side,
   Vector3,
-  WebGLRenderer,
   type WebGLRendererParameters,
 } from 'three';
-import { CubeCollider, type CubeColliderOptions } from 'three-cube-collider';
+import type { CubeColliderOptions } from 'three-cube-collider';
+import { type Backend, createRendering } from '../support/rendering.js';
 import { boxesAround } from './boxes.js';
 
 export interface SurfaceCase {
+  backend?: Backend;
   collider?: CubeColliderOptions;
   renderer?: WebGLRendererParameters;
   center?: [number, number, number];
@@ -38,14 +39,15 @@ export interface SurfaceReport {
 
 /** Every texel of one cubemap against a ray of three's own through its middle. */
 export default async function surface(test: SurfaceCase): Promise<SurfaceReport> {
-  const renderer = new WebGLRenderer(test.renderer);
+  const rendering = await createRendering(test.backend, test.renderer);
+  const { renderer } = rendering;
   const center = new Vector3(...(test.center ?? [10, 2, 3]));
   const { scene, meshes } = boxesAround(center);
   // Drawn as what shows one side, so that fronts and backs are told; three's own rays shall meet both.
   const show = (side: Side) =>
     meshes.forEach(({ material }) => ((material as Material).side = side));
   show(FrontSide);
-  const collider = new CubeCollider({ far: 6, ...test.collider });
+  const collider = rendering.collider({ far: 6, ...test.collider });
   collider.position.copy(center);
   const field = (await collider.updateAsync(renderer, scene))!;
   show(DoubleSide);
@@ -56,7 +58,7 @@ export default async function surface(test: SurfaceCase): Promise<SurfaceReport>
   const toWorld = new Matrix3();
   const report: SurfaceReport = {
     format: collider.format,
-    reversed: renderer.state.buffers.depth.getReversed(),
+    reversed: reversed(renderer),
     texels: field.count,
     good: 0,
     wrongSide: 0,
@@ -95,6 +97,15 @@ export default async function surface(test: SurfaceCase): Promise<SurfaceReport>
   collider.dispose();
   renderer.dispose();
   return report;
+}
+
+/** `WebGPURenderer` has no state to ask, but a property. */
+function reversed(renderer: object): boolean {
+  const { state, reversedDepthBuffer } = renderer as {
+    state?: { buffers: { depth: { getReversed(): boolean } } };
+    reversedDepthBuffer?: boolean;
+  };
+  return state === undefined ? reversedDepthBuffer === true : state.buffers.depth.getReversed();
 }
 
 /** Does any of eight rays around `direction`, at most `spread` (tangent) away, meet another plane or nothing? */

@@ -13,11 +13,9 @@ import {
   type Node,
   type NodeBuilder,
   NodeMaterial,
+  type NodeMaterialObserver,
 } from 'three/webgpu';
 import { surfaceTexel, type TexelUniforms } from './surfaceTexel.js';
-
-/** All that NodeMaterial's observer is asked: our objects' numbers change though nothing else does. */
-const ALWAYS = { needsRefresh: () => true };
 
 /**
  * What scenery wears in the cubemap of a `WebGPURenderer`: three's own chain of vertex tricks and of what cuts holes into
@@ -55,8 +53,11 @@ export class CollisionNodeMaterial extends NodeMaterial {
     return super.customProgramCacheKey() + this.#uniforms.key;
   }
 
-  override setupObserver(): never {
-    return ALWAYS as never;
+  override setupObserver(builder: NodeBuilder): NodeMaterialObserver {
+    const observer = super.setupObserver(builder);
+    // Else three looks for changes in what it knows; our objects' numbers it does not.
+    observer.hasNode = true;
+    return observer;
   }
 
   /** In doubles up to the matrix, whatever the renderer's `highPrecision`. */
