@@ -1,6 +1,9 @@
 import type surface from './harness/surface.js';
+import type { KindCase, KindReport } from './harness/kinds.js';
 import type { SurfaceCase } from './harness/surface.js';
-import { expect, runInPage, test } from './support/test.js';
+import { KINDS, OUTLINES } from './support/kinds/names.js';
+import { quantisedModel } from './support/kinds/quantisedModel.js';
+import { callInPage, expect, openPage, runInPage, test } from './support/test.js';
 import type { Backend } from './support/rendering.js';
 
 /** As for WebGL. */
@@ -36,6 +39,31 @@ for (const backend of BACKENDS) {
         expect(report.unexplained).toBe(0);
         expect(report.wrongSide).toBe(0);
         expect(report.reads).toBe(1);
+      });
+    }
+  });
+}
+
+for (const backend of BACKENDS) {
+  test(`should be as solid as drawn: every kind of object, ${backend}`, async ({ page }) => {
+    await openPage(page);
+    for (const name of KINDS) {
+      await test.step(name, async () => {
+        const report = await callInPage<KindReport>(page, '/e2e/harness/kinds.ts', {
+          name,
+          backend,
+          glb: name.includes('GLB') ? await quantisedModel() : undefined,
+        } satisfies KindCase);
+        const millimetres = (1000 * report.worst).toFixed(2);
+        console.log(
+          `    ${name}: ${report.texels} texels on it, ${report.outlines} outlines, ${millimetres} mm, ` +
+            `${report.draws} draws, ${report.programs} programs`,
+        );
+        expect.soft(report.wrong, name).toEqual([]);
+        expect.soft(report.strangers, name).toEqual([]);
+        expect.soft(report.texels, name).toBeGreaterThan(150);
+        expect.soft(report.outlines / report.all, name).toBeLessThanOrEqual(OUTLINES);
+        expect.soft(report.worst, name).toBeLessThanOrEqual(0.01);
       });
     }
   });

@@ -6,14 +6,14 @@ import {
   type Object3D,
   Scene,
   Vector3,
-  WebGLRenderer,
 } from 'three';
-import { CubeCollider, type CubeColliderOptions, type SurfaceField } from 'three-cube-collider';
+import type { CubeCollider, CubeColliderOptions, SurfaceField } from 'three-cube-collider';
 import { DrawnTriangles } from '../support/drawnTriangles.js';
 import { deformedKinds } from '../support/kinds/deformedKinds.js';
 import type { MakeKind } from '../support/kinds/Kind.js';
 import { manyKinds } from '../support/kinds/manyKinds.js';
 import { meshKinds } from '../support/kinds/meshKinds.js';
+import { type Backend, createRendering, programsOf } from '../support/rendering.js';
 
 const kinds: Record<string, MakeKind> = { ...meshKinds, ...deformedKinds, ...manyKinds };
 
@@ -22,6 +22,7 @@ export interface KindCase {
   /** A model, in base 64. */
   glb?: string;
   collider?: CubeColliderOptions;
+  backend?: Backend;
 }
 
 export interface KindReport {
@@ -73,15 +74,17 @@ export default async function kind({
   name,
   glb,
   collider: options,
+  backend,
 }: KindCase): Promise<KindReport> {
-  const renderer = new WebGLRenderer();
+  const rendering = await createRendering(backend);
+  const { renderer } = rendering;
   const model = glb ? Uint8Array.from(atob(glb), (char) => char.charCodeAt(0)) : null;
   const made = await kinds[name]!(renderer, model);
-  const before = renderer.info.programs!.length;
+  const before = programsOf(renderer);
   const scene = new Scene().add(made.object);
   const room = new Mesh(new BoxGeometry(3, 3, 3), new MeshBasicMaterial({ side: BackSide }));
   room.position.copy(center);
-  const collider = new CubeCollider({ far: 4, resolution: 16, readback: 'sync', ...options });
+  const collider = rendering.collider({ far: 4, resolution: 16, readback: 'sync', ...options });
   collider.position.copy(center);
   const report: KindReport = {
     texels: 0,
@@ -99,15 +102,15 @@ export default async function kind({
     object.rotation.set(turn[0]!, turn[1]!, turn[2]!);
     object.scale.fromArray(scale);
     if (i === 0) {
-      collider.update(renderer, scene);
+      await rendering.see(collider, scene);
       report.draws = collider.stats.drawCalls;
       // One is of the pass that keeps the nearest texels.
-      report.programs =
-        renderer.info.programs!.length - before - (collider.supersample > 1 ? 1 : 0);
+      const passes = collider.supersample > 1 || rendering.backend !== 'WebGL2' ? 1 : 0;
+      report.programs = programsOf(renderer) - before - passes;
       scene.add(room);
     }
     for (let j = 0; j < 2; j++) {
-      collider.update(renderer, scene);
+      await rendering.see(collider, scene);
       const triangles = new DrawnTriangles([{ mesh: room }, ...made.shown()]);
       judge(collider, triangles, room, `pose ${i}, ${j === 0 ? 'placed' : 'changed'}`, report);
       // Then it has only moved.

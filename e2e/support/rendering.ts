@@ -51,3 +51,13 @@ export async function createRendering(
     },
   };
 }
+
+/** How many programs a renderer has. */
+export function programsOf(renderer: WebGLRenderer): number {
+  const { programs, memory } = renderer.info as unknown as {
+    programs?: unknown[];
+    memory: { programs: number };
+  };
+  // WebGPU counts a vertex and a fragment program each.
+  return programs?.length ?? memory.programs / 2;
+}

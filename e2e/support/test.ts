@@ -114,7 +114,21 @@ export async function runInPage<Result = unknown>(
   url: string,
   args?: unknown,
 ): Promise<Result> {
+  await openPage(page);
+  return callInPage(page, url, args);
+}
+
+/** Opens an empty page. */
+export async function openPage(page: Page): Promise<void> {
   await page.goto('/e2e/harness/index.html');
+}
+
+/** `runInPage`, in the page that is open. */
+export function callInPage<Result = unknown>(
+  page: Page,
+  url: string,
+  args?: unknown,
+): Promise<Result> {
   return page.evaluate(
     async ([url, args]) => (await import(/* @vite-ignore */ url)).default(args),
     [url, args] as [string, unknown],

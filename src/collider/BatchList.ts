@@ -30,6 +30,22 @@ export function partsOf(mesh: unknown): BatchParts | null {
     : null;
 }
 
+/** What a proxy is lent of it. */
+interface LentParts {
+  _multiDrawStarts: Int32Array;
+  _multiDrawCounts: Int32Array;
+  _multiDrawCount: number;
+  _mergedDrawStarts: Int32Array;
+  _mergedDrawCounts: Int32Array;
+  _mergedDrawInstanceCounts: Int32Array;
+  _mergedDrawCount: number;
+  _multiDrawBytesPerElement: number;
+  _indirectTexture: DataTexture;
+  _updateDrawParameters: () => void;
+}
+
+const nothing = () => {};
+
 /**
  * Which instances of a `BatchedMesh` one cubemap shows: all that are visible and within reach. The user's own list says
  * which of them the user's camera saw last, so it is neither used nor written. (three could make another one for our
@@ -40,8 +56,13 @@ export class BatchList {
   selection = 0;
   #starts = new Int32Array(0);
   #counts = new Int32Array(0);
+  /** The same for WebGPU: one draw for successive instances of one geometry. */
+  #mergedStarts = new Int32Array(0);
+  #mergedCounts = new Int32Array(0);
+  #mergedInstances = new Int32Array(0);
   /** Each drawn instance's number, as three's shader looks it up. */
   #texture: DataTexture | null = null;
+  #freed = false;
 
   /**
    * Lists what is near and lends the list to `proxy`, which three then draws by it. Where three keeps other parts than
@@ -61,7 +82,9 @@ export class BatchList {
     const { index } = mesh.geometry;
     const bytes = index === null ? 1 : index.array.BYTES_PER_ELEMENT;
     let count = 0;
-    let changed = false;
+    let merged = 0;
+    let changed = this.#freed;
+    this.#freed = false;
     for (let i = 0; i < instances.length; i++) {
       const { visible, active, geometryIndex } = instances[i]!;
       if (!visible || !active) continue;
@@ -74,25 +97,40 @@ export class BatchList {
         numbers[count] = i;
         changed = true;
       }
+      merged = this.#merge(merged, starts[count]!, counts[count]!);
       count++;
     }
     if (changed) texture.needsUpdate = true;
-    const lent = proxy as {
-      _multiDrawStarts: Int32Array;
-      _multiDrawCounts: Int32Array;
-      _multiDrawCount: number;
-      _indirectTexture: DataTexture;
-    };
+    const lent = proxy as LentParts;
     lent._multiDrawStarts = starts;
     lent._multiDrawCounts = counts;
     lent._multiDrawCount = count;
+    lent._mergedDrawStarts = this.#mergedStarts;
+    lent._mergedDrawCounts = this.#mergedCounts;
+    lent._mergedDrawInstanceCounts = this.#mergedInstances;
+    lent._mergedDrawCount = merged;
+    lent._multiDrawBytesPerElement = bytes;
     lent._indirectTexture = texture;
+    lent._updateDrawParameters = nothing;
   }
 
-  /** Frees the texture; the next `gather` makes another. */
+  /** Frees the texture on the GPU, where the next `gather` puts it anew: WebGPU's programs hold on to the object. */
   dispose(): void {
     this.#texture?.dispose();
-    this.#texture = null;
+    this.#freed = true;
+  }
+
+  /** Adds an instance to the `count` merged draws. @returns how many there are then */
+  #merge(count: number, start: number, length: number): number {
+    const last = count - 1;
+    if (count > 0 && this.#mergedStarts[last] === start && this.#mergedCounts[last] === length) {
+      this.#mergedInstances[last]!++;
+      return count;
+    }
+    this.#mergedStarts[count] = start;
+    this.#mergedCounts[count] = length;
+    this.#mergedInstances[count] = 1;
+    return count + 1;
   }
 
   /** As much room as the user's own list has. */
@@ -100,6 +138,9 @@ export class BatchList {
     if (this.#starts.length !== length) {
       this.#starts = new Int32Array(length);
       this.#counts = new Int32Array(length);
+      this.#mergedStarts = new Int32Array(length);
+      this.#mergedCounts = new Int32Array(length);
+      this.#mergedInstances = new Int32Array(length);
     }
     const { width, height } = theirs!.image as { width: number; height: number };
     if (this.#texture !== null && this.#texture.image.width === width) return this.#texture;

@@ -27,7 +27,7 @@ export class NodeRendererState {
   #xr = false;
   #context: WebGPURenderer['contextNode'] | null = null;
   #inspecting: boolean | undefined;
-  readonly #info = { calls: 0, frameCalls: 0, drawCalls: 0, triangles: 0, points: 0, lines: 0 };
+  readonly #info = { frameCalls: 0, drawCalls: 0, triangles: 0, points: 0, lines: 0 };
 
   /** Takes the state and sets ours. */
   enter(renderer: WebGPURenderer): void {
@@ -51,7 +51,6 @@ export class NodeRendererState {
     this.#inspecting = inspector?.enabled;
     const { render } = renderer.info;
     const info = this.#info;
-    info.calls = render.calls;
     info.frameCalls = render.frameCalls;
     info.drawCalls = render.drawCalls;
     info.triangles = render.triangles;
@@ -72,7 +71,7 @@ export class NodeRendererState {
     if (inspector !== undefined && this.#inspecting === true) inspector.enabled = false;
   }
 
-  /** Puts everything back. `info.calls`, which numbers the renders, is left: three tells by it what is up to date. */
+  /** Puts everything back. `info.calls` and `info.render.calls` are left: three tells by them what is up to date. */
   leave(renderer: WebGPURenderer): void {
     const { render } = renderer.info;
     Object.assign(render, this.#info);
