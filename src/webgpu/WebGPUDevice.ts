@@ -11,6 +11,7 @@ import { ClippedScenery } from './ClippedScenery.js';
 import { NearestQuad } from './NearestQuad.js';
 import { NodeCollisionMaterials } from './NodeCollisionMaterials.js';
 import { NodeRendererState } from './NodeRendererState.js';
+import { giveOwnSkeleton } from './ownSkeleton.js';
 import { createReads, type TexelReads } from './TexelReads.js';
 import { createFloatTarget } from './texelTargets.js';
 
@@ -137,7 +138,9 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
   }
 
   #arrange({ scene, select }: Scenery): void {
-    scene.children = this.#clipped.arrange(select());
+    const proxies = select();
+    for (const proxy of proxies) giveOwnSkeleton(proxy);
+    scene.children = this.#clipped.arrange(proxies);
     // The clear colour, which is ours here.
     scene.background = null;
   }
