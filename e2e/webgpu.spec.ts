@@ -1,4 +1,5 @@
 import type surface from './harness/surface.js';
+import type { AxisReport } from './harness/axis.js';
 import type { KindCase, KindReport } from './harness/kinds.js';
 import type { SurfaceCase } from './harness/surface.js';
 import { KINDS, OUTLINES } from './support/kinds/names.js';
@@ -65,6 +66,31 @@ for (const backend of BACKENDS) {
         expect.soft(report.outlines / report.all, name).toBeLessThanOrEqual(OUTLINES);
         expect.soft(report.worst, name).toBeLessThanOrEqual(0.01);
       });
+    }
+  });
+}
+
+for (const backend of BACKENDS) {
+  test(`should find each face’s highest red as the equations do, ${backend}`, async ({ page }) => {
+    await openPage(page);
+    for (const [resolution, poses] of [
+      [32, 30],
+      [8, 4],
+      [64, 4],
+    ]) {
+      const reports = await callInPage<AxisReport[]>(page, '/e2e/harness/axis.ts', {
+        poses,
+        seed: 3,
+        resolution,
+        backend,
+      });
+      for (const { scene, seen, failures, plainFailures } of reports) {
+        console.log(
+          `    ${resolution}², ${scene}: ${seen} faces saw something, ${plainFailures} off by more than a step`,
+        );
+        expect(failures).toBe(0);
+        expect(seen).toBeGreaterThan(2 * poses!);
+      }
     }
   });
 }

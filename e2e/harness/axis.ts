@@ -1,7 +1,7 @@
-import { Scene, WebGLRenderer } from 'three';
-import { CubeCollider } from 'three-cube-collider';
+import { Scene } from 'three';
 import { type AxisJudgement, judge, modelMaxima } from '../support/axisModel.js';
 import { axisPoses, axisScenes } from '../support/axisScenes.js';
+import { type Backend, createRendering } from '../support/rendering.js';
 
 export interface AxisReport {
   scene: string;
@@ -23,24 +23,30 @@ export default async function axis({
   poses,
   seed,
   resolution = 32,
+  backend,
 }: {
   /** In each scene. */
   poses: number;
   seed: number;
   resolution?: number;
+  backend?: Backend;
 }): Promise<AxisReport[]> {
   const rMin = 0.175;
   const rMax = 0.35;
-  const renderer = new WebGLRenderer();
-  const gl = renderer.getContext();
-  const subpixelBits = gl.getParameter(gl.SUBPIXEL_BITS) as number;
-  const collider = new CubeCollider({ output: 'axis', rMin, rMax, resolution });
+  const rendering = await createRendering(backend);
+  const { renderer } = rendering;
+  const collider = rendering.collider({ output: 'axis', rMin, rMax, resolution });
+  const gl = rendering.backend === 'WebGL2' ? renderer.getContext() : null;
+  // Dawn asks SwiftShader for 4 as well.
+  const subpixelBits = gl === null ? 4 : (gl.getParameter(gl.SUBPIXEL_BITS) as number);
   let bytesRead = 0;
-  const { readPixels } = gl;
-  gl.readPixels = ((...args: unknown[]) => {
-    bytesRead = (args[6] as Uint8Array).byteLength;
-    return (readPixels as (...all: unknown[]) => void).apply(gl, args);
-  }) as typeof gl.readPixels;
+  if (gl !== null) {
+    const { readPixels } = gl;
+    gl.readPixels = ((...args: unknown[]) => {
+      bytesRead = (args[6] as Uint8Array).byteLength;
+      return (readPixels as (...all: unknown[]) => void).apply(gl, args);
+    }) as typeof gl.readPixels;
+  }
 
   const reports: AxisReport[] = [];
   for (const { name, root, triangles } of axisScenes()) {
@@ -49,7 +55,7 @@ export default async function axis({
     const report = { scene: name, poses, seen: 0, plainFailures: 0, failures: 0, worstSteps: 0 };
     for (const center of axisPoses(triangles, rMax, poses, seed)) {
       collider.position.copy(center);
-      collider.update(renderer, scene);
+      await rendering.see(collider, scene);
       const reading = collider.maxima!;
       let result: AxisJudgement = judge(
         reading,

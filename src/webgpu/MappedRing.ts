@@ -64,15 +64,19 @@ export class MappedRing {
     return this.inFlight < READS;
   }
 
-  /** Starts reading a texture of that size. */
-  start(source: GPUTexture, stamp: DrawStamp): void {
+  /** Starts reading a texture of that size, or a buffer of one row. */
+  start(source: GPUTexture | GPUBuffer, stamp: DrawStamp): void {
     const slot = this.#slots.find(({ busy }) => !busy) ?? this.#create();
     const encoder = this.#device.createCommandEncoder({ label: 'CubeCollider' });
-    encoder.copyTextureToBuffer(
-      { texture: source },
-      { buffer: slot.buffer, bytesPerRow: this.#stride },
-      [this.#width, this.#height],
-    );
+    if ('createView' in source) {
+      encoder.copyTextureToBuffer(
+        { texture: source },
+        { buffer: slot.buffer, bytesPerRow: this.#stride },
+        [this.#width, this.#height],
+      );
+    } else {
+      encoder.copyBufferToBuffer(source, 0, slot.buffer, 0, 16 * this.#width);
+    }
     this.#device.queue.submit([encoder.finish()]);
     slot.take(stamp);
     slot.pending = slot.busy = true;

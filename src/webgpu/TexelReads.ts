@@ -1,4 +1,4 @@
-import type { RenderTarget, WebGPURenderer } from 'three/webgpu';
+import type { RenderTarget, StorageBufferAttribute, WebGPURenderer } from 'three/webgpu';
 import type { DeviceClient } from '../collider/CubemapDevice.js';
 import type { DrawStamp } from '../collider/DrawStamp.js';
 import { ReadbackRing } from '../collider/ReadbackRing.js';
@@ -6,7 +6,7 @@ import { type ReadbackClient, ReadbackScheduler } from '../collider/ReadbackSche
 import { backendOf } from './backendOf.js';
 import { MappedRing } from './MappedRing.js';
 
-/** Reads a target of float texels, on either backend. */
+/** Reads a target of float texels, on either backend, or a buffer of them, on WebGPU. */
 export interface TexelReads {
   readonly data: Float32Array;
   readonly inFlight: number;
@@ -20,26 +20,35 @@ export interface TexelReads {
 
 export function createReads(
   renderer: WebGPURenderer,
-  target: RenderTarget,
+  source: RenderTarget | StorageBufferAttribute,
   client: DeviceClient,
 ): TexelReads {
-  const backend = backendOf(renderer);
-  return backend.isWebGPUBackend === true
-    ? new MappedReads(renderer, target, client)
-    : new FallbackReads(renderer, target, client);
+  return backendOf(renderer).isWebGPUBackend === true
+    ? new MappedReads(renderer, source, client)
+    : new FallbackReads(renderer, source as RenderTarget, client);
 }
 
 /** WebGPU: never blocks. */
 class MappedReads implements TexelReads {
   readonly data: Float32Array;
   readonly #ring: MappedRing;
-  readonly #source: () => GPUTexture;
+  readonly #source: () => GPUTexture | GPUBuffer;
 
-  constructor(renderer: WebGPURenderer, target: RenderTarget, client: DeviceClient) {
+  constructor(
+    renderer: WebGPURenderer,
+    source: RenderTarget | StorageBufferAttribute,
+    client: DeviceClient,
+  ) {
     const backend = backendOf(renderer);
-    const { width, height, texture } = target;
-    this.#ring = new MappedRing(backend.device!, width, height, () => client.deliver());
-    this.#source = () => backend.get(texture).texture!;
+    const arrived = () => client.deliver();
+    if ('texture' in source) {
+      const { width, height, texture } = source;
+      this.#ring = new MappedRing(backend.device!, width, height, arrived);
+      this.#source = () => backend.get(texture).texture!;
+    } else {
+      this.#ring = new MappedRing(backend.device!, source.count, 1, arrived);
+      this.#source = () => backend.get(source).buffer!;
+    }
     this.data = this.#ring.data;
   }
 

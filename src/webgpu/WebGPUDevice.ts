@@ -6,6 +6,7 @@ import type { CubemapDevice, DeviceClient, Scenery } from '../collider/CubemapDe
 import type { DrawStamp } from '../collider/DrawStamp.js';
 import { FaceCameras } from '../collider/FaceCameras.js';
 import type { Solidity } from '../collider/isSolid.js';
+import { type AxisReduction, ComputedAxisReduction, DrawnAxisReduction } from './AxisReduction.js';
 import { backendOf } from './backendOf.js';
 import { ClippedScenery } from './ClippedScenery.js';
 import { NearestQuad } from './NearestQuad.js';
@@ -17,6 +18,7 @@ import { createFloatTarget } from './texelTargets.js';
 
 /** A collider's part on the GPU of a `WebGPURenderer`, on its WebGPU backend or its WebGL 2 fallback. */
 export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
+  /** In the paper's mode too: its reds have the steps of 8 bits. */
   readonly format = 'RGBA32F';
   readonly ids = null;
   readonly readNow = null;
@@ -25,6 +27,9 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
   readonly #cameras: FaceCameras;
   readonly #materials: NodeCollisionMaterials;
   readonly #nearest: NearestQuad;
+  /** The search for the maxima; null if surfaces are read. */
+  readonly #axis: AxisReduction | null;
+  readonly #resolution: number;
   readonly #state = new NodeRendererState();
   readonly #clipped = new ClippedScenery();
   readonly #reads: TexelReads;
@@ -37,7 +42,7 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
     settings: CubeColliderSettings,
     client: DeviceClient,
   ) {
-    const { resolution, supersample, near, far } = settings;
+    const { resolution, supersample, near, far, output } = settings;
     const fine = resolution * supersample;
     const { width, height } = atlasSize(fine);
     const { device } = backendOf(renderer);
@@ -45,7 +50,9 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
     this.#nearest = new NearestQuad(resolution, supersample, this.#drawn, device !== undefined);
     this.#cameras = new FaceCameras(fine, near, far);
     this.#materials = new NodeCollisionMaterials(settings);
-    this.#reads = createReads(renderer, this.#nearest.result, client);
+    this.#axis = output === 'axis' ? createReduction(resolution, this.atlas, device) : null;
+    this.#resolution = resolution;
+    this.#reads = createReads(renderer, this.#axis?.result ?? this.atlas, client);
     this.#lost = () => {
       if (!this.#disposed) client.lost();
     };
@@ -86,6 +93,7 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
       renderer.render(scenery.scene, this.#cameras);
       const calls = renderer.info.render.drawCalls - before;
       this.#nearest.reduce(renderer);
+      this.#axis?.reduce(renderer);
       drawn(calls);
     } finally {
       this.#state.leave(renderer);
@@ -104,7 +112,13 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
     this.#reads.drop();
   }
 
-  decodeMaxima(_target: AxisMaxima): void {}
+  decodeMaxima(target: AxisMaxima): void {
+    const { data } = this;
+    for (let face = 0; face < 6; face++) {
+      const at = 4 * face;
+      target.set(face, data[at]!, data[at + 1]!, data[at + 2]!, this.#resolution);
+    }
+  }
 
   async compile(scenery: Scenery): Promise<boolean> {
     const { renderer } = this;
@@ -113,7 +127,8 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
       this.#arrange(scenery);
       renderer.setRenderTarget(this.#drawn);
       const scene = renderer.compileAsync(scenery.scene, this.#cameras);
-      this.#compiling = Promise.all([scene, this.#nearest.compile(renderer)]);
+      const passes = [this.#nearest.compile(renderer), this.#axis?.compile(renderer)];
+      this.#compiling = Promise.all([scene, ...passes]);
     } finally {
       this.#state.leave(renderer);
     }
@@ -134,6 +149,7 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
   #free(): void {
     this.#drawn.dispose();
     this.#nearest.dispose();
+    this.#axis?.dispose();
     this.#materials.dispose();
   }
 
@@ -144,4 +160,14 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
     // The clear colour, which is ours here.
     scene.background = null;
   }
+}
+
+function createReduction(
+  resolution: number,
+  atlas: RenderTarget,
+  device: GPUDevice | undefined,
+): AxisReduction {
+  return device === undefined
+    ? new DrawnAxisReduction(resolution, atlas)
+    : new ComputedAxisReduction(resolution, atlas);
 }

@@ -1,8 +1,9 @@
-import type { Texture, WebGPURenderer } from 'three/webgpu';
+import type { BufferAttribute, Texture, WebGPURenderer } from 'three/webgpu';
 
-/** What three keeps of a texture on either backend. */
-interface TextureData {
+/** What three keeps of a texture or an attribute on either backend. */
+interface BackendData {
   texture?: GPUTexture;
+  buffer?: GPUBuffer;
   textureGPU?: WebGLTexture;
 }
 
@@ -16,7 +17,7 @@ export interface Backend {
   readonly state?: {
     bindFramebuffer(target: number, framebuffer: WebGLFramebuffer | null): void;
   };
-  get(texture: Texture): TextureData;
+  get(object: Texture | BufferAttribute): BackendData;
 }
 
 /** Of a renderer that was initialised. */

@@ -70,7 +70,8 @@ export function surfaceTexel(builder: NodeBuilder, uniforms: TexelUniforms): Nod
   if (uniforms.shell !== null) {
     const { rMin, rMax } = uniforms.shell;
     const red = float(1).sub(distance.sub(rMin).div(rMax - rMin)); // (10)
-    return vec4(red.clamp(0, 1), 0, 0, 1).toVar(); // (11)
+    // (11), in the steps that the paper's 8 bits have.
+    return vec4(red.clamp(0, 1).mul(255).add(0.5).floor().div(255), 0, 0, 1).toVar();
   }
 
   distance.greaterThan(uniforms.far).discard();
