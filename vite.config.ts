@@ -36,4 +36,27 @@ const library: UserConfig = {
   },
 };
 
-export default defineConfig(({ mode }) => (mode === 'lib' ? library : demo));
+/**
+ * `vite build --mode lib-webgpu`: the entry for `WebGPURenderer`, with all it needs, and with three's core from
+ * `three/webgpu`, so that no page has to load `WebGLRenderer` for it.
+ */
+const webgpu: UserConfig = {
+  ...library,
+  plugins: [
+    {
+      name: 'core-from-three-webgpu',
+      enforce: 'pre',
+      resolveId: (id) => (id === 'three' ? { id: 'three/webgpu', external: true } : null),
+    },
+  ],
+  build: {
+    ...library.build,
+    emptyOutDir: false,
+    lib: { entry: { webgpu: here('src/webgpu/index.ts') }, formats: ['es'] },
+    rolldownOptions: { external: [/^three\//] },
+  },
+};
+
+const MODES: Record<string, UserConfig> = { lib: library, 'lib-webgpu': webgpu };
+
+export default defineConfig(({ mode }) => MODES[mode] ?? demo);
