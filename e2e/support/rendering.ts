@@ -44,8 +44,8 @@ export async function createRendering(
   return {
     backend,
     renderer,
-    collider: ({ readback: _, ...options } = {}) =>
-      new gpu.CubeCollider(options) as unknown as CubeCollider,
+    collider: (options) =>
+      new gpu.CubeCollider({ ...options, readback: 'async' }) as unknown as CubeCollider,
     see: async (collider, scene) => {
       await collider.updateAsync(renderer, scene);
     },
