@@ -1,6 +1,7 @@
 import { type Mesh, type Object3D, type SkinnedMesh, Sphere, Vector3 } from 'three';
 import { SceneNode } from './SceneNode.js';
-import { hasSphere, isCheap, worldSphere } from './worldSphere.js';
+import { Stillness } from './Stillness.js';
+import { followsGeometry, hasSphere, isCheap, worldSphere } from './worldSphere.js';
 
 /** Objects that are always looked at in one call; of more, the eighth part. */
 const LEAST = 512;
@@ -39,6 +40,7 @@ export class SceneIndex {
   readonly #fresh: SceneNode[] = [];
   /** Bounding spheres, world space: x, y, z, radius. */
   #spheres = new Float64Array(4 * LEAST);
+  readonly #stillness = new Stillness();
   #call = 0;
   #refreshes = true;
   #cursor = 0;
@@ -139,8 +141,17 @@ export class SceneIndex {
       const node = this.#nodes[this.#cursor++]!;
       if (node === null || !this.#verify(node)) continue;
       this.#reconcile(node);
-      if (!node.near && this.#place(node)) this.#watch(node);
+      if (!node.near) this.#placeFar(node);
     }
+  }
+
+  /** As `place`, where most have stood still. */
+  #placeFar(node: SceneNode): void {
+    const mesh = node.object as Mesh;
+    const still = mesh.isMesh && this.#stillness.isStill(node, this.#call, this.#refreshes);
+    if (still) return;
+    if (this.#place(node)) this.#watch(node);
+    else if (followsGeometry(mesh)) this.#stillness.note(node, mesh.geometry);
   }
 
   /** Chooses what is watched in every call, where the centre or the reach have left what was chosen before. */
@@ -149,7 +160,12 @@ export class SceneIndex {
     if (needed <= this.#watched && this.#watched <= reach + 2 * (WATCH + ROOM)) return;
     this.#anchor.copy(center);
     this.#watched = reach + WATCH + ROOM;
-    for (let i = 0; i < this.near.length; i++) this.near[i]!.near = false;
+    for (let i = 0; i < this.near.length; i++) {
+      const node = this.near[i]!;
+      node.near = false;
+      // Its sphere was found in every call, wherever it was noted.
+      node.geometry = null;
+    }
     this.near.length = 0;
     for (let slot = 0; slot < this.#nodes.length; slot++) {
       if (this.#isNear(slot)) this.#watch(this.#nodes[slot]!);
@@ -235,6 +251,7 @@ export class SceneIndex {
     if (node.slot < 0) return;
     const { children } = node.object;
     const known = node.children;
+    if (children.length === 0 && known.length === 0) return;
     let same = 0;
     const shorter = Math.min(children.length, known.length);
     while (same < shorter && known[same]!.object === children[same]) same++;
@@ -283,6 +300,7 @@ export class SceneIndex {
       grown.set(this.#spheres);
       this.#spheres = grown;
     }
+    this.#stillness.reserve(node.slot + 1);
     this.#nodes[node.slot] = node;
     this.#nodeOf.set(object, node);
     node.verified = this.#call;

@@ -1,4 +1,4 @@
-import { Camera, Object3D, SkinnedMesh } from 'three';
+import { type BufferGeometry, Camera, Object3D, SkinnedMesh } from 'three';
 
 /** How an object's world matrix is kept: by three's own rules, as a skin, or by code of its own. */
 const enum Upkeep {
@@ -38,15 +38,41 @@ export class SceneNode {
   kept = 0;
   asked = 0;
   shows = false;
+  /** What `Stillness` keeps: the call it last looked in, the object's last move and its parent's, and by what it was told. */
+  settled = 0;
+  moved = 0;
+  above = 0;
+  posed = false;
+  /** Of whose bounding sphere, after which move, the object's was found. */
+  geometry: BufferGeometry | null = null;
+  noted = 0;
   #refreshed = 0;
   #below = Below.Free;
   readonly #upkeep: Upkeep;
+  readonly #plain: boolean;
+  /** Is there one above it that has its own way? */
+  #led = false;
 
   constructor(object: Object3D, parent: SceneNode | null) {
     this.object = object;
     this.parent = parent;
     this.foundUnder = object.parent;
     this.#upkeep = upkeepOf(object);
+    this.#plain =
+      this.#upkeep === Upkeep.Plain && object.updateMatrix === Object3D.prototype.updateMatrix;
+  }
+
+  /** Does its world matrix follow from its parent's and from its own position, quaternion and scale alone? */
+  isPosed(): boolean {
+    const { object, parent } = this;
+    this.#led = parent !== null && (parent.#led || parent.#upkeep === Upkeep.Own);
+    return (
+      this.#plain &&
+      !this.#led &&
+      object.matrixAutoUpdate &&
+      object.matrixWorldAutoUpdate &&
+      !object.pivot
+    );
   }
 
   /**

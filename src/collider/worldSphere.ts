@@ -48,6 +48,17 @@ export function isCheap(mesh: Mesh): boolean {
   return !(mesh.geometry.attributes.position!.count > FEW);
 }
 
+/** Does it follow from the world matrix and the geometry's own sphere, which is there, and from nothing else? */
+export function followsGeometry(mesh: Mesh): boolean {
+  return (
+    mesh.isMesh &&
+    mesh.frustumCulled &&
+    !(mesh as SkinnedMesh).isSkinnedMesh &&
+    !hasParts(mesh) &&
+    !!mesh.geometry?.boundingSphere
+  );
+}
+
 function hasParts(mesh: Mesh): mesh is InstancedMesh | BatchedMesh {
   return (
     (mesh as InstancedMesh).isInstancedMesh === true || (mesh as BatchedMesh).isBatchedMesh === true

@@ -1,5 +1,6 @@
 import {
   Bone,
+  BoxGeometry,
   type BufferGeometry,
   Group,
   Layers,
@@ -12,6 +13,7 @@ import {
   Scene,
   Skeleton,
   SkinnedMesh,
+  Sphere,
   Vector3,
 } from 'three';
 import { describe, expect, it } from 'vitest';
@@ -196,6 +198,133 @@ describe('a scene of ten thousand meshes', () => {
       expect(select(), `${center.toArray()}`).toEqual(expected);
       look();
     }
+  });
+});
+
+describe('what is far', () => {
+  /** Meshes of their own geometries, in groups in groups; one object in ten sees to its matrices in a way of its own. */
+  function hamlet(random: () => number) {
+    class Shifted extends Group {
+      shift = 0;
+      override updateMatrix(): void {
+        super.updateMatrix();
+        this.matrix.elements[12]! += this.shift;
+      }
+    }
+    const scene = new Scene();
+    const groups: Group[] = [];
+    const meshes: Mesh[] = [];
+    for (let i = 0; i < 40; i++) {
+      const group = i % 10 === 3 ? new Shifted() : new Group();
+      (i < 20 ? scene : groups[i - 20]!).add(group);
+      groups.push(group);
+    }
+    for (let i = 0; i < 800; i++) {
+      const mesh = new Mesh(new BoxGeometry(), material);
+      mesh.position.set(80 * random() - 40, 2 * random(), 80 * random() - 40);
+      groups[i % groups.length]!.add(mesh);
+      meshes.push(mesh);
+    }
+    return { scene, groups, meshes };
+  }
+
+  it('should be known within eight frames, however it changed (seed 23)', () => {
+    const random = seeded(23);
+    const { scene, groups, meshes } = hamlet(random);
+    const { select, look, center } = watcher(scene);
+    const any = <T>(list: readonly T[]) => list[Math.floor(random() * list.length)]!;
+    // Farther than what is watched around the collider.
+    const far = () => (random() < 0.5 ? -1 : 1) * (8 + 20 * random());
+    const changes: ((object: Object3D, mesh: Mesh) => void)[] = [
+      ({ position }) => (position.z = far()),
+      ({ rotation }) => (rotation.y += 1 + random()),
+      ({ scale }) => scale.setScalar(0.5 + random()),
+      (_, { position }) => position.set(far(), 1, far()),
+      (_, mesh) => any(groups).add(mesh),
+      (_, mesh) => mesh.geometry.translate(0, 0, far()),
+      (_, mesh) => mesh.geometry.scale(1.5, 1, 1).computeBoundingSphere(),
+      (_, mesh) => (mesh.geometry = new BoxGeometry(1 + 4 * random(), 1, 1).translate(far(), 0, 0)),
+      (_, mesh) => (mesh.frustumCulled = !mesh.frustumCulled),
+      (object) => (object.matrixAutoUpdate = !object.matrixAutoUpdate),
+      (object) => (object.matrixWorldAutoUpdate = true),
+      (_, mesh) => {
+        mesh.matrixWorldAutoUpdate = false;
+        mesh.matrixWorld.setPosition(far(), 1, far());
+      },
+      (object) => {
+        object.matrix.elements[12] = far();
+        object.matrixWorldNeedsUpdate = true;
+      },
+      (object) => {
+        object.pivot = new Vector3(far(), 0, far());
+        object.rotation.y += 1;
+      },
+      ({ pivot }) => pivot?.setX(far()),
+      () => ((groups[3] as Group & { shift: number }).shift = far()),
+      // A render of the user's own comes in between.
+      () => scene.updateMatrixWorld(),
+      () => center.set(far(), 1, far()),
+    ];
+    const sphere = new Sphere();
+    let seen = 0;
+    for (let i = 0; i < 150; i++) {
+      for (let j = 0; j < 20; j++) {
+        const mesh = any(meshes);
+        any(changes)(random() < 0.1 ? any(groups) : mesh, mesh);
+        if (random() < 0.3) look();
+      }
+      for (let frame = 0; frame < 8; frame++) look();
+      for (let place = 0; place < 6; place++) {
+        const found = new Set(select());
+        // three's own word, where it stands after that.
+        if (place === 0) scene.updateMatrixWorld();
+        const expected = meshes.filter(({ frustumCulled, geometry, matrixWorld }) => {
+          if (place === 0) geometry.computeBoundingSphere();
+          sphere.copy(geometry.boundingSphere!).applyMatrix4(matrixWorld);
+          return !frustumCulled || sphere.center.distanceTo(center) <= sphere.radius + FAR;
+        });
+        expect(found.size, `round ${i}`).toBe(expected.length);
+        expect(expected.every((mesh) => found.has(mesh))).toBe(true);
+        seen += found.size;
+        center.set(60 * random() - 30, 1, 60 * random() - 30);
+      }
+    }
+    expect(seen).toBeGreaterThan(3000);
+  });
+
+  it('should be found where it was, if it went away while it was near and came back', () => {
+    const { scene, meshes } = city();
+    const { select, look, center } = watcher(scene);
+    const traveller = meshes[7777]!;
+    const home = traveller.position.clone();
+    for (let frame = 0; frame < 9; frame++) look();
+    center.copy(home);
+    expect(select()).toContain(traveller);
+    traveller.position.x += 100;
+    expect(select()).not.toContain(traveller);
+    traveller.position.copy(home);
+    center.set(200, 0, 0);
+    for (let frame = 0; frame < 9; frame++) select();
+    center.copy(home);
+    expect(select()).toContain(traveller);
+  });
+
+  it('should be asked for its pose, and have no matrix worked out while it stands still', () => {
+    const { scene, meshes } = city();
+    const { select, look } = watcher(scene);
+    select();
+    for (let frame = 0; frame < 8; frame++) look();
+    let composed = 0;
+    for (const { matrix } of meshes) {
+      const { compose } = matrix;
+      matrix.compose = (...args) => (composed++, compose.apply(matrix, args));
+    }
+    for (let frame = 0; frame < 8; frame++) look();
+    expect(composed).toBeLessThan(8 * 10);
+    scene.children[99]!.position.x = 1;
+    for (let frame = 0; frame < 8; frame++) look();
+    expect(composed).toBeLessThan(16 * 10 + 100);
+    expect(meshes.at(-1)!.matrixWorld.elements[12]).toBe(4 * 99 + 1);
   });
 });
 
