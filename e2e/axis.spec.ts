@@ -1,7 +1,7 @@
 import type { CubeColliderOptions } from 'three-cube-collider';
 import type { AxisReport } from './harness/axis.js';
 import type axisWalk from './harness/axisWalk.js';
-import { expect, runInPage, test } from './support/test.js';
+import { expect, runInPage, testOnOnePage as test } from './support/test.js';
 
 const POSES = 170;
 /** How far before a kerb of 0.45 R a sphere of half a metre touches its edge. */

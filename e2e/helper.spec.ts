@@ -1,5 +1,5 @@
 import type helper from './harness/helper.js';
-import { expect, runInPage, test } from './support/test.js';
+import { expect, runInPage, testOnOnePage as test } from './support/test.js';
 
 test('should show what each collider sees, where it is, and leave the renderer as it was', async ({
   page,

@@ -1,5 +1,5 @@
 import type huge from './harness/huge.js';
-import { expect, runInPage, test } from './support/test.js';
+import { expect, runInPage, testOnOnePage as test } from './support/test.js';
 
 const CELLS = 300;
 const TRIANGLES = 2 * CELLS * CELLS;

@@ -2,7 +2,7 @@ import type { Page } from '@playwright/test';
 import type { CubeColliderOptions, TexelFormat } from 'three-cube-collider';
 import type encoding from './harness/encoding.js';
 import type { IdCases } from './harness/ids.js';
-import { expect, runInPage, test } from './support/test.js';
+import { expect, runInPage, testOnOnePage as test } from './support/test.js';
 
 const FORMATS: TexelFormat[] = ['RGBA32F', 'RGBA16F', 'RGBA8'];
 

@@ -3,7 +3,7 @@ import type { KindCase, KindReport } from './harness/kinds.js';
 import { KINDS, OUTLINES } from './support/kinds/names.js';
 import { quantisedModel } from './support/kinds/quantisedModel.js';
 import { writeRow } from './support/solidRows.js';
-import { expect, runInPage, test } from './support/test.js';
+import { expect, runInPage, testOnOnePage as test } from './support/test.js';
 
 /** Those that lean on what is not the same in every three. */
 const ON_OLDEST = /Batched|morph targets|detached|LOD, never/;

@@ -3,7 +3,7 @@ import type { Page } from '@playwright/test';
 import type { KindCase, KindReport } from './harness/materials.js';
 import type { RuleCases } from './harness/materialRules.js';
 import type { KindName } from './harness/materialKinds.js';
-import { expect, runInPage, test } from './support/test.js';
+import { expect, runInPage, testOnOnePage as test } from './support/test.js';
 
 const KINDS: KindName[] = [
   'displacement',

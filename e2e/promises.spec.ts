@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import type { CubeColliderOptions } from 'three-cube-collider';
 import type { PromiseCases } from './harness/promises.js';
-import { expect, runInPage, test } from './support/test.js';
+import { expect, runInPage, testOnOnePage as test } from './support/test.js';
 
 function run<Name extends keyof PromiseCases>(
   page: Page,

@@ -1,6 +1,6 @@
 import type renderers from './harness/renderer.js';
 import type { FrameWay } from './harness/renderer.js';
-import { expect, runInPage, test } from './support/test.js';
+import { expect, runInPage, testOnOnePage as test } from './support/test.js';
 
 const WAYS: FrameWay[] = [
   'plainly',

@@ -1,5 +1,5 @@
 import type { SmokeResult } from './harness/smoke.js';
-import { expect, runInPage, test } from './support/test.js';
+import { expect, runInPage, test, testOnOnePage } from './support/test.js';
 
 const REVISION = process.env.THREE_VERSION === 'oldest' ? '180' : '187';
 
@@ -65,5 +65,26 @@ test.describe('the tests’ own watch over the page', () => {
       });
       await expect.poll(() => complaints.splice(0)).toEqual(['console.error: three']);
     });
+  });
+});
+
+testOnOnePage.describe('a page that tests share', () => {
+  testOnOnePage.use({ allowedMessages: [/console\.warning: WebGL: INVALID_ENUM/] });
+
+  testOnOnePage('should fail the test that leaves a WebGL error pending', async ({ page }) => {
+    test.fail();
+    await runInPage(page, '/e2e/harness/smoke.ts');
+    await page.evaluate(() => {
+      const gl = document.createElement('canvas').getContext('webgl2')!;
+      Object.assign(window, { gl }).gl.enable(0);
+    });
+  });
+
+  testOnOnePage('should leave the next one nothing of it but the page', async ({ page }) => {
+    await runInPage(page, '/e2e/harness/smoke.ts');
+    const lost = await page.evaluate(() =>
+      (window as unknown as { gl?: WebGLRenderingContext }).gl?.isContextLost(),
+    );
+    expect(lost).toBe(true);
   });
 });

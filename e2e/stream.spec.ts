@@ -1,5 +1,5 @@
 import type stream from './harness/stream.js';
-import { expect, runInPage, test } from './support/test.js';
+import { expect, runInPage, testOnOnePage as test } from './support/test.js';
 
 test('@three tiles added and dropped every frame should be seen from their first one on, and leave nothing behind', async ({
   page,

@@ -1,6 +1,6 @@
 import type { CubeColliderOptions } from 'three-cube-collider';
 import type survey from './harness/survey.js';
-import { expect, runInPage, test } from './support/test.js';
+import { expect, runInPage, testOnOnePage as test } from './support/test.js';
 
 for (const options of [{}, { readback: 'sync', format: 'RGBA8' }] satisfies CubeColliderOptions[]) {
   test(`@three should tell, between draws, what became of what was drawn: ${JSON.stringify(options)}`, async ({

@@ -2,7 +2,7 @@ import type { Page } from '@playwright/test';
 import type thin from './harness/thin.js';
 import type thinStop from './harness/thinStop.js';
 import { tries } from '../test/support/soak.js';
-import { expect, runInPage, test } from './support/test.js';
+import { expect, runInPage, testOnOnePage as test } from './support/test.js';
 
 type Case = Parameters<typeof thin>[0];
 

@@ -1,4 +1,11 @@
-import { expect, test as base, type BrowserContext, type Page } from '@playwright/test';
+import {
+  expect,
+  test as base,
+  type BrowserContext,
+  type ConsoleMessage,
+  type Page,
+  type WebError,
+} from '@playwright/test';
 
 export { expect };
 
@@ -35,25 +42,64 @@ export const test = base.extend<Options & Fixtures>({
       const report = (complaint: string) => {
         if (!allowedMessages.some((allowed) => allowed.test(complaint))) complaints.push(complaint);
       };
-      context.on('console', (message) => {
+      const onConsole = (message: ConsoleMessage) => {
         const text = message.text();
         if (message.type() === 'error' || FATAL_WARNING.test(text)) {
           report(`console.${message.type()}: ${text}`);
         }
-      });
-      context.on('weberror', (error) =>
-        report(`uncaught: ${error.error().stack ?? error.error()}`),
-      );
-      page.on('crash', () => report('the page crashed'));
-      await context.addInitScript(rememberContexts);
+      };
+      const onError = (error: WebError) =>
+        report(`uncaught: ${error.error().stack ?? error.error()}`);
+      const onCrash = () => report('the page crashed');
+      context.on('console', onConsole);
+      context.on('weberror', onError);
+      page.on('crash', onCrash);
+      if (!shared.has(page)) await context.addInitScript(rememberContexts);
 
       await use(complaints);
 
       for (const error of await pendingErrors(context)) report(error);
+      // A shared page goes on to the next test.
+      context.off('console', onConsole);
+      context.off('weberror', onError);
+      page.off('crash', onCrash);
       expect(complaints, 'what the page complained of').toEqual([]);
     },
     { auto: true },
   ],
+});
+
+/** Pages that many tests share. */
+const shared = new WeakSet<Page>();
+
+/**
+ * The same, on one page that all these tests share, which saves each the opening of a page and the loading of three: for
+ * tests that do nothing but `runInPage`, with modules that leave nothing behind. Each loses its WebGL contexts at its
+ * end; after a test that fails, Playwright begins anew with a page of its own.
+ */
+export const testOnOnePage = test.extend<object, { sharedPage: Page }>({
+  sharedPage: [
+    async ({ browser }, use, { project }) => {
+      const { baseURL, viewport, deviceScaleFactor } = project.use;
+      const context = await browser.newContext({ baseURL, viewport, deviceScaleFactor });
+      await context.addInitScript(rememberContexts);
+      const page = await context.newPage();
+      shared.add(page);
+      await use(page);
+      await context.close();
+    },
+    { scope: 'worker' },
+  ],
+  context: ({ sharedPage }, use) => use(sharedPage.context()),
+  page: async ({ sharedPage }, use) => {
+    await use(sharedPage);
+    await sharedPage.evaluate(() => {
+      for (const reference of window.testContexts ?? []) {
+        reference.deref()?.getExtension('WEBGL_lose_context')?.loseContext();
+      }
+      window.testContexts = [];
+    });
+  },
 });
 
 declare global {
@@ -65,12 +111,13 @@ declare global {
 
 /** Runs in the page, before any of its scripts. */
 function rememberContexts(): void {
-  const contexts: WeakRef<WebGLRenderingContext>[] = (window.testContexts = []);
+  window.testContexts = [];
   for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) {
     const getContext = prototype.getContext as (...args: unknown[]) => unknown;
     Object.assign(prototype, {
       getContext(this: unknown, ...args: unknown[]) {
         const context = getContext.apply(this, args);
+        const contexts = window.testContexts!;
         const known = contexts.some((reference) => reference.deref() === context);
         if (context && 'getError' in (context as object) && !known) {
           contexts.push(new WeakRef(context as WebGLRenderingContext));
@@ -104,7 +151,7 @@ async function pendingErrors(context: BrowserContext): Promise<string[]> {
 }
 
 /**
- * Opens an empty page, imports a module there, calls its default export, and returns what that resolves with.
+ * Opens an empty page (a shared one only once), imports a module there, calls its default export, and returns what that resolves with.
  *
  * @param url the module from the root of the repository: `/e2e/harness/readback.ts`
  * @param args handed to the function; they and the result go through JSON
@@ -114,21 +161,8 @@ export async function runInPage<Result = unknown>(
   url: string,
   args?: unknown,
 ): Promise<Result> {
-  await openPage(page);
-  return callInPage(page, url, args);
-}
-
-/** Opens an empty page. */
-export async function openPage(page: Page): Promise<void> {
-  await page.goto('/e2e/harness/index.html');
-}
-
-/** `runInPage`, in the page that is open. */
-export function callInPage<Result = unknown>(
-  page: Page,
-  url: string,
-  args?: unknown,
-): Promise<Result> {
+  const address = '/e2e/harness/index.html';
+  if (!shared.has(page) || !page.url().endsWith(address)) await page.goto(address);
   return page.evaluate(
     async ([url, args]) => (await import(/* @vite-ignore */ url)).default(args),
     [url, args] as [string, unknown],
