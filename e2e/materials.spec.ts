@@ -1,8 +1,8 @@
-import { mkdirSync, writeFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import type { KindCase, KindReport } from './harness/materials.js';
 import type { RuleCases } from './harness/materialRules.js';
 import type { KindName } from './harness/materialKinds.js';
+import { writeRow } from './support/solidRows.js';
 import { expect, runInPage, testOnOnePage as test } from './support/test.js';
 
 const KINDS: KindName[] = [
@@ -24,22 +24,6 @@ const KINDS: KindName[] = [
 
 const run = (page: Page, tests: KindCase[]) =>
   runInPage<KindReport[]>(page, '/e2e/harness/materials.ts', tests);
-
-/** What docs/solid.md is made of. */
-function report(row: {
-  kind: string;
-  group: 'material' | 'policy';
-  worst: number;
-  texels: number;
-  draws: number;
-  programs: number;
-  note?: string;
-}): void {
-  const folder = 'test-results/solid';
-  mkdirSync(folder, { recursive: true });
-  const file = row.kind.replace(/[^A-Za-z0-9]+/g, '-').toLowerCase();
-  writeFileSync(`${folder}/${file}.json`, `${JSON.stringify(row)}\n`);
-}
 
 function check(seen: KindReport): void {
   const { kind, worst, texels, silhouettes, draws, programs, sources } = seen;
@@ -72,7 +56,7 @@ test('@three should see every kind of material as it is drawn, and leave the dra
   for (const seen of reports) {
     check(seen);
     const { kind, worst, texels, draws, programs } = seen;
-    report({ kind, group: 'material', worst, texels, draws, programs });
+    writeRow({ kind, group: 'material', worst, texels, draws, programs });
   }
 });
 
@@ -122,7 +106,7 @@ test('should take for solid what the policy says', async ({ page }) => {
   }
   expect(worst).toBeLessThan(1e-5);
   for (const [name, seen] of Object.entries(table)) {
-    report({
+    writeRow({
       kind: `policy: ${name}`,
       group: 'policy',
       worst,
