@@ -1,10 +1,12 @@
-import { BoxGeometry, Vector3 } from 'three';
+import { BoxGeometry, Scene, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { Distribution } from '../bench/walk/Distribution.js';
 import { HeldBackCollider } from '../bench/walk/HeldBackCollider.js';
 import { Inputs } from '../bench/walk/Inputs.js';
 import { Judge } from '../bench/walk/Judge.js';
 import { Places } from '../bench/walk/Places.js';
+import { Walk } from '../bench/walk/Walk.js';
+import type { Walker } from '../bench/walk/walkers/Walker.js';
 import { AnalyticCollider } from './support/AnalyticCollider.js';
 import { floor } from './support/analytic.js';
 
@@ -60,6 +62,82 @@ describe('the judge of the comparison', () => {
     expect(places()[0]).toEqual(first);
     for (const place of places()) expect(judge.penetration(place)).toBeLessThan(0);
     expect(new Set(places().map(({ x }) => x)).size).toBe(4);
+  });
+});
+
+describe('a walk of the comparison', () => {
+  const geometry = new BoxGeometry(40, 2, 40).toNonIndexed();
+  const judge = new Judge(geometry);
+  const start = new Vector3(0, 1.02, 0);
+  const places = (seed: number) => new Places(judge, start, 3, seed);
+  const level = { scene: new Scene(), geometry, triangles: 12, judge, start, places, lowest: -1 };
+  const settings = { hz: 20, frames: 100, seed: 4, leg: 2 };
+
+  /** Goes where it is told, once it has lived the given number of frames at its place. */
+  class LateWalker implements Walker {
+    readonly foot = new Vector3();
+    readonly grounded = true;
+    readonly preparation = 0;
+    readonly waiting = 0;
+    readonly wishes: number[] = [];
+    #frames = 0;
+    #steps = 0;
+    #held = 0;
+
+    constructor(readonly late: number) {}
+
+    get ready() {
+      return this.#frames >= this.late;
+    }
+
+    place(foot: Vector3): void {
+      this.foot.copy(foot);
+      this.#frames = 0;
+    }
+
+    frame(velocity: Vector3, jump: boolean, dt: number): void {
+      this.#steps++;
+      this.#frames++;
+      if (!this.ready) this.#held++;
+      this.foot.addScaledVector(velocity, dt);
+      if (velocity.lengthSq() > 0) this.wishes.push(velocity.x, velocity.z, +jump);
+    }
+
+    counts() {
+      return { steps: this.#steps, held: this.#held, draws: this.#steps };
+    }
+
+    dispose(): void {
+      // nothing to let go
+    }
+  }
+
+  function walkOf(late: number) {
+    const walker = new LateWalker(late);
+    const walk = new Walk(level, walker, settings);
+    let frames = 0;
+    for (; !walk.done; frames++) walk.frame();
+    return { walker, result: walk.finish(), frames };
+  }
+
+  it('should give who waits for its first field the same inputs and ways as who need not', () => {
+    const [quick, late] = [walkOf(1), walkOf(4)];
+    expect(quick.result).toMatchObject({ frames: 100, legs: 3, waits: 0 });
+    expect(late.result).toMatchObject({ frames: 100, legs: 3, waits: 9 });
+    expect(late.walker.wishes).toEqual(quick.walker.wishes);
+    expect(late.result.distance).toBeCloseTo(100 * (5 / 20), 9);
+    // Before a leg everyone lives one frame that is not counted.
+    expect(quick.frames).toBe(103);
+    expect(late.frames).toBe(112);
+    // What it did meanwhile is in none of its counts, but what it drew is.
+    expect(late.result.counts).toEqual({ steps: 100, held: 0, draws: 112 });
+  });
+
+  it('should not wait for ever', () => {
+    const { result, frames } = walkOf(Infinity);
+    expect(result).toMatchObject({ frames: 100, waits: 90 });
+    expect(result.counts.held).toBe(100);
+    expect(frames).toBe(190);
   });
 });
 

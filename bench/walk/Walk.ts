@@ -13,6 +13,10 @@ const RESTS = 12;
 const REST_TIME = 1;
 /** Part of the rest over which its drift is measured: settled by then. */
 const SETTLED = 0.5;
+/** Frames that a leg waits at most for a walker to be ready. */
+const PATIENCE = 30;
+
+const STILL = new Vector3();
 
 /** A frame to look at: how many came before it, and the foot at its begin and end, world, metres. */
 export interface Moment {
@@ -22,7 +26,11 @@ export interface Moment {
 }
 
 export interface WalkResult {
+  /** With inputs. Those before a leg, until the walker was ready, are in nothing but `waits` and draws. */
   frames: number;
+  /** Times it was put somewhere, and frames after which it was not ready there yet. */
+  legs: number;
+  waits: number;
   /** Into the capsule, metres, one a frame; negative is a gap. */
   penetration: DistributionSummary;
   /** Frames in which its middle or its foot's middle passed a surface. */
@@ -83,6 +91,9 @@ export class Walk {
   readonly #result: WalkResult;
   readonly #frames: number;
   readonly #trace: number[][] | null;
+  /** Frames without input that it may still live before its leg begins. */
+  #patience = 0;
+  #leg = -1;
   #worst = -Infinity;
   #throughSomething = false;
 
@@ -104,16 +115,21 @@ export class Walk {
     return this.#result.frames >= this.#frames;
   }
 
-  /** One frame: inputs, walker, judge. */
+  /** One frame: inputs, walker, judge; or, before a leg, one without inputs. */
   frame(): void {
     const result = this.#result;
     const { judge, lowest, start } = this.#level;
     const { foot } = this.#walker;
-    if (result.frames % this.#legFrames === 0) this.#begin();
+    if (this.#leg < Math.floor(result.frames / this.#legFrames)) this.#begin();
+    if (this.#patience > 0) {
+      this.#await();
+      return;
+    }
     this.#before.copy(foot);
     this.#inputs.advanceTo(result.frames / this.#hz);
     this.#live(this.#velocity, this.#inputs.jump, this.#milliseconds);
     result.frames++;
+    result.waited = this.#walker.waiting;
 
     if (!Number.isFinite(foot.x + foot.y + foot.z)) {
       result.nan++;
@@ -146,12 +162,11 @@ export class Walk {
   async rest(between: () => Promise<void> | void, places = RESTS): Promise<void> {
     const { foot } = this.#walker;
     const frames = Math.round(REST_TIME * this.#hz);
-    const still = new Vector3();
     const settled = new Vector3();
     for (let place = 0; place < places; place++) {
       this.#walker.place(this.#places.at(place));
       for (let i = 0; i < frames; i++) {
-        this.#live(still, false);
+        this.#live(STILL, false);
         if (i === Math.floor(frames * (1 - SETTLED))) settled.copy(foot);
         await between();
       }
@@ -180,18 +195,39 @@ export class Walk {
     walker.frame(velocity, jump, 1 / this.#hz);
     const took = performance.now() - start - (walker.waiting - waiting);
     if (times === undefined) return;
-    const counts = walker.counts();
+    const after = walker.counts();
+    this.#count(before, after, Object.keys(after) as (keyof WalkerCounts)[]);
     // A character with a step of its own has nothing to do in most frames of a fast screen.
-    const idle = counts.steps === before.steps && counts.draws === before.draws;
-    if (counts.steps === undefined || !idle) times.add(took);
-    this.#result.counts = counts;
-    this.#result.waited = walker.waiting;
+    const idle = after.steps === before.steps && after.draws === before.draws;
+    if (after.steps === undefined || !idle) times.add(took);
+  }
+
+  /** Adds what became more of these in a frame. */
+  #count(before: WalkerCounts, after: WalkerCounts, keys: (keyof WalkerCounts)[]): void {
+    const { counts } = this.#result;
+    for (const key of keys) {
+      counts[key] = (counts[key] ?? 0) + (after[key] ?? 0) - (before[key] ?? 0);
+    }
   }
 
   /** Puts it where this leg begins. */
   #begin(): void {
-    this.#walker.place(this.#places.at(Math.floor(this.#result.frames / this.#legFrames)));
+    this.#leg = Math.floor(this.#result.frames / this.#legFrames);
+    this.#walker.place(this.#places.at(this.#leg));
     this.#throughSomething = false;
+    this.#patience = PATIENCE;
+    this.#result.legs++;
+  }
+
+  /** A frame without inputs: everyone gets one, who waits for a field gets more. */
+  #await(): void {
+    const before = this.#walker.counts();
+    this.#live(STILL, false);
+    const after = this.#walker.counts();
+    if ('draws' in after) this.#count(before, after, ['draws']);
+    this.#patience--;
+    if (this.#walker.ready) this.#patience = 0;
+    else this.#result.waits++;
   }
 
   #moment(): Moment {
@@ -215,6 +251,8 @@ export class Walk {
 function emptyResult(penetration: Distribution, milliseconds: Distribution): WalkResult {
   return {
     frames: 0,
+    legs: 0,
+    waits: 0,
     penetration: penetration.summary(),
     crossed: 0,
     firstCrossing: null,

@@ -31,9 +31,12 @@ const COLUMNS = [
   ['NaN', (row) => row.nan],
   ['walked, m', (row) => fixed(row.distance)],
   ['of BVH’s', (row, level) => percent(share(row, level), 1)],
-  ['the same while not held', (row, level) => percent(share(row, level), 1 - waited(row))],
   ['held', (row) => percent(row.counts.held, row.counts.steps)],
   ['slowed', (row) => percent(row.counts.slowed, row.counts.steps)],
+  [
+    'first field, frames a leg',
+    (row) => (row.mover === 'cube' ? fixed(row.waits / row.legs, 1) : '-'),
+  ],
   ['draws a frame', (row) => fixed(row.counts.draws / row.frames, 2)],
   [
     'JS, ms a frame: p50 (mean)',
@@ -53,10 +56,6 @@ const WORST = [
   ['fell through', (rows) => sum(rows, (row) => row.fellThrough)],
   ['NaN', (rows) => sum(rows, (row) => row.nan)],
   ['of BVH’s way', (rows, level) => percent(-most(rows, (row) => -share(row, level)), 1)],
-  [
-    'while not held',
-    (rows, level) => percent(-most(rows, (row) => -share(row, level) / (1 - waited(row))), 1),
-  ],
   ['held or slowed', (rows) => percent(most(rows, waited), 1)],
   ['gap at rest, mm', (rows) => range(rows.flatMap((row) => row.rest.gaps))],
   ['drift at rest, mm', (rows) => fixed(1000 * most(rows, (row) => row.rest.drift), 2)],
@@ -99,7 +98,7 @@ const isMover = (name) => (/** @type {Row} */ row) => row.mover === name;
 const most = (rows, of) => Math.max(...rows.map(of));
 /** @param {Row[]} rows @param {(row: Row) => number} of */
 const sum = (rows, of) => rows.reduce((total, row) => total + of(row), 0);
-/** Part of the steps. @param {Row} row */
+/** Held or slowed, as a part of the steps. @param {Row} row */
 const waited = ({ counts }) => ((counts.held ?? 0) + (counts.slowed ?? 0)) / (counts.steps ?? 1);
 /** Its way, as a part of that of three-mesh-bvh's. @param {Row} row @param {{ rows: Row[] }} level */
 const share = (row, level) => row.distance / (rivalOf(row, level)?.distance ?? NaN);

@@ -55,6 +55,10 @@ export class CubeWalker implements Walker {
     return this.#character.grounded;
   }
 
+  get ready(): boolean {
+    return this.#character.ready;
+  }
+
   place(foot: Vector3): void {
     this.#character.teleport(foot);
   }

@@ -12,6 +12,7 @@ const SUB_STEPS = 5;
  */
 export class MeshBvhWalker implements Walker {
   readonly foot = new Vector3();
+  readonly ready = true;
   readonly waiting = 0;
   readonly preparation: number;
   grounded = false;

@@ -15,6 +15,7 @@ const DAMPING = 4;
  */
 export class OctreeWalker implements Walker {
   readonly foot = new Vector3();
+  readonly ready = true;
   readonly waiting = 0;
   readonly preparation: number;
   grounded = false;

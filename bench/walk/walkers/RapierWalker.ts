@@ -13,6 +13,7 @@ const SLOPE = Math.PI / 4;
  */
 export class RapierWalker implements Walker {
   readonly foot = new Vector3();
+  readonly ready = true;
   readonly waiting = 0;
   readonly preparation: number;
   grounded = false;

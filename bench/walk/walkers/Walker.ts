@@ -6,6 +6,8 @@ export interface Walker {
   readonly foot: Vector3;
   /** Whether it would take a jump. */
   readonly grounded: boolean;
+  /** Whether it could move now: all that it must know of its place is there. */
+  readonly ready: boolean;
   /** Milliseconds its making kept the page, what must be done for each level: trees to build, programs to compile. */
   readonly preparation: number;
   /** Milliseconds spent so far waiting for the GPU. */
