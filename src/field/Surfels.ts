@@ -2,6 +2,7 @@ import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
 import { blocksOf } from './blocks.js';
 import { setCorners } from './corners.js';
 import { APART, COPLANAR_LINK, type Extents, findExtents } from './extents.js';
+import { isSeam } from './isSeam.js';
 import { STRIDE } from './layout.js';
 import { neighbours, SIDES } from './neighbours.js';
 import { AWAY, boundBlock, ENDS, GOES_ON, PIECE } from './pieces.js';
@@ -122,7 +123,8 @@ export class Surfels {
         normal[k]! * direction[k]! +
         normal[k + 1]! * direction[k + 1]! +
         normal[k + 2]! * direction[k + 2]!;
-      ofTexel[texel] = distance[texel]! < Infinity && slant < -LEAST_SLANT ? n++ : -1;
+      const seen = distance[texel]! < Infinity && slant < -LEAST_SLANT;
+      ofTexel[texel] = seen && !isSeam(field, texel, table) ? n++ : -1;
     }
     this.count = this.first[blocks.count] = n;
     const turn = toBody.w !== 1;

@@ -2,6 +2,8 @@ import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { GOES_ON, PIECE } from '../../src/field/pieces.js';
 import { STRIDE } from '../../src/field/layout.js';
+import { finerDirection } from '../../src/cube/finerTexel.js';
+import { SurfaceField, type SurfaceSampler } from '../../src/field/SurfaceField.js';
 import { Surfels } from '../../src/field/Surfels.js';
 import { cornersOf, dice, drawn, unionDistance, UPRIGHT } from '../support/fields.js';
 import { Ball, Box, ground, Plane, room } from '../support/world/scenes.js';
@@ -125,6 +127,77 @@ describe('Surfels of a box', () => {
       const { x, z } = corner.applyQuaternion(back);
       expect(Math.max(Math.abs(x), Math.abs(z)) - 0.3).toBeLessThan(1e-5);
     }
+  });
+});
+
+describe('Surfels of a wall whose top is just above the eye', () => {
+  const AWAY = 0.37;
+
+  /**
+   * The wall x <= -0.37, up to `height`, and another that stands on it, 2 cm back; the ray that meets the very edge slips
+   * in and sees the top from inside.
+   */
+  function wall(height: number, front: boolean): SurfaceSampler {
+    return (_, [x, y]) => {
+      const distance = -AWAY / x;
+      const above = y * distance - height;
+      if (!(x < 0)) return null;
+      if (above > 1e-6) return { distance: distance + 0.02 / -x, normal: [1, 0, 0] };
+      if (above < -1e-6) return { distance, normal: [1, 0, 0] };
+      return { distance: 0.997 * distance, normal: [0, -1, 0], front };
+    };
+  }
+
+  /** Drawn finer, rays pass anywhere through their texels. */
+  function anyRays(seed: number): Float32Array {
+    const between = dice(seed);
+    const directions = new Float32Array(3 * 6 * 32 * 32);
+    for (let i = 0; i < 6 * 32 * 32; i++) {
+      const place = Math.floor(between(0, 16));
+      finerDirection(Math.floor(i / 1024), i % 32, (i >> 5) % 32, place, 32, 4, directions, 3 * i);
+    }
+    return directions;
+  }
+
+  it('should not jut out where a ray slips in between wall and top (seed 25)', () => {
+    const directions = anyRays(25);
+    const field = new SurfaceField(32, 1.8, directions);
+    const surfels = new Surfels(32);
+    const howFarOut = (height: number, front: boolean) => {
+      surfels.fill(field.sample(wall(height, front), new Vector3()), UPRIGHT);
+      return Math.max(...everyCorner(surfels).map(({ x }) => x + AWAY));
+    };
+    let asCeiling = 0;
+    for (let i = 0; i < directions.length; i += 15) {
+      const [x, y] = [directions[i]!, directions[i + 1]!];
+      if (x > -0.3 || y < 0.03 || y > 0.3) continue;
+      const height = (AWAY * y) / -x;
+      expect(howFarOut(height, false), `height ${height}`).toBeLessThan(2 * MILLIMETRE);
+      asCeiling = Math.max(asCeiling, howFarOut(height, true));
+    }
+    // The same seen from its front would be a narrow ceiling, and stays.
+    expect(asCeiling).toBeGreaterThan(10 * MILLIMETRE);
+  });
+
+  it('should stay whole seen from inside', () => {
+    // Backs of four walls that stand on a floor.
+    const inside: SurfaceSampler = (_, [x, y, z]) => {
+      const [wide, low] = [Math.max(Math.abs(x), Math.abs(z)), -y];
+      if (0.9 * low > 0.5 * wide) return { distance: 0.5 / low, normal: [0, 1, 0] };
+      const normal = [x, 0, z].map((n) => (Math.abs(n) === wide ? -Math.sign(n) : 0));
+      return { distance: 0.9 / wide, normal: normal as [number, number, number], front: false };
+    };
+    const options = { resolution: 32, far: 1.8, center: new Vector3() };
+    const field = SurfaceField.from(inside, options);
+    const backs = field.front.reduce((sum, front, i) => {
+      return sum + (front === 0 && field.distance[i]! < Infinity ? 1 : 0);
+    }, 0);
+    const surfels = new Surfels(32).fill(field, UPRIGHT);
+    let kept = 0;
+    for (let texel = 0; texel < field.count; texel++) {
+      if (field.front[texel] === 0 && surfels.ofTexel[texel]! >= 0) kept++;
+    }
+    expect(kept).toBe(backs);
   });
 });
 
