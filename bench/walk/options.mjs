@@ -19,7 +19,8 @@ export const HELP = `npm run walk -- [options]
   --leg 4               seconds after which it goes on at another place (the first: --start)
   --no-rivals           without the others
   --resolution 32       texels per face edge of ours
-  --collider '{…}'      further options of ours, as JSON
+  --collider '{…}'      further options of our collider, as JSON
+  --character '{…}'     further options of our character, as JSON
   --json file           keep the results
   --trace file.csv      keep every frame's foot, ground and penetration
   --from file           tell the results of an earlier run instead of walking; of several, if repeated
@@ -43,6 +44,7 @@ export function readOptions() {
       rivals: { type: 'boolean', default: true },
       resolution: { type: 'string' },
       collider: { type: 'string', default: '{}' },
+      character: { type: 'string', default: '{}' },
       json: { type: 'string' },
       trace: { type: 'string' },
       from: { type: 'string', multiple: true },
@@ -67,6 +69,7 @@ export function readOptions() {
     seed: numbers('seed', values.seed, 0)[0],
     leg: numbers('leg', values.leg, 1)[0],
     collider: { ...JSON.parse(values.collider), ...resolution },
+    character: JSON.parse(values.character),
   };
 }
 

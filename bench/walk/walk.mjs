@@ -84,17 +84,19 @@ function* cases({
   leg,
   rivals,
   collider,
+  character,
   ...options
 }) {
+  const ours = { mover: 'cube', collider, character };
   for (const hz of rates) {
     const common = { hz, seed, leg, frames: steps, latency: 0 };
     if (rivals) for (const mover of RIVALS) yield { ...common, mover };
-    for (const late of latency) yield { ...common, mover: 'cube', latency: late, collider };
+    for (const late of latency) yield { ...common, ...ours, latency: late };
   }
   if (!options['real-async']) return;
   const common = { hz: 60, seed, leg, frames: asyncSteps };
   if (rivals && asyncSteps !== steps) yield { ...common, mover: 'mesh-bvh', latency: 0 };
-  yield { ...common, mover: 'cube', latency: 'real', collider };
+  yield { ...common, ...ours, latency: 'real' };
 }
 
 await main(async () => {

@@ -9,6 +9,8 @@ export interface CubeWalkerOptions {
   latency: number | 'real';
   /** Further options of the `CubeCollider`. */
   collider?: Record<string, unknown>;
+  /** Further options of the `CharacterController`. */
+  character?: Record<string, unknown>;
 }
 
 /** Ours: the character as shipped, its cubemaps drawn by the GPU. The user's own picture is not drawn. */
@@ -20,7 +22,7 @@ export class CubeWalker implements Walker {
   readonly #heldBack: HeldBackCollider | null;
   readonly #character: CharacterController<WebGLRenderer, Scene>;
 
-  private constructor(scene: Scene, { latency, collider = {} }: CubeWalkerOptions) {
+  private constructor(scene: Scene, { latency, collider = {}, character }: CubeWalkerOptions) {
     this.#scene = scene;
     this.#renderer.setSize(16, 16);
     const readback = latency === 'real' ? 'async' : 'sync';
@@ -30,7 +32,7 @@ export class CubeWalker implements Walker {
     const { radius, height, gravity, jumpHeight } = SHAPE;
     this.#character = new CharacterController<WebGLRenderer, Scene>(
       this.#heldBack ?? this.#collider,
-      { radius, height, gravity, jumpHeight },
+      { radius, height, gravity, jumpHeight, ...character },
     );
   }
 
