@@ -4,7 +4,8 @@ import type { KindCase, KindReport } from './harness/kinds.js';
 import type { SurfaceCase } from './harness/surface.js';
 import { KINDS, OUTLINES } from './support/kinds/names.js';
 import { quantisedModel } from './support/kinds/quantisedModel.js';
-import { callInPage, expect, openPage, runInPage, test } from './support/test.js';
+import { writeRow } from './support/solidRows.js';
+import { expect, runInPage, testOnOnePage as test } from './support/test.js';
 import type { Backend } from './support/rendering.js';
 
 /** As for WebGL. */
@@ -46,39 +47,35 @@ for (const backend of BACKENDS) {
 }
 
 for (const backend of BACKENDS) {
-  test(`should be as solid as drawn: every kind of object, ${backend}`, async ({ page }) => {
-    await openPage(page);
-    for (const name of KINDS) {
-      await test.step(name, async () => {
-        const report = await callInPage<KindReport>(page, '/e2e/harness/kinds.ts', {
-          name,
-          backend,
-          glb: name.includes('GLB') ? await quantisedModel() : undefined,
-        } satisfies KindCase);
-        const millimetres = (1000 * report.worst).toFixed(2);
-        console.log(
-          `    ${name}: ${report.texels} texels on it, ${report.outlines} outlines, ${millimetres} mm, ` +
-            `${report.draws} draws, ${report.programs} programs`,
-        );
-        expect.soft(report.wrong, name).toEqual([]);
-        expect.soft(report.strangers, name).toEqual([]);
-        expect.soft(report.texels, name).toBeGreaterThan(150);
-        expect.soft(report.outlines / report.all, name).toBeLessThanOrEqual(OUTLINES);
-        expect.soft(report.worst, name).toBeLessThanOrEqual(0.01);
-      });
-    }
-  });
+  for (const kind of KINDS) {
+    test(`should be as solid as drawn on ${backend}: ${kind}`, async ({ page }) => {
+      const report = await runInPage<KindReport>(page, '/e2e/harness/kinds.ts', {
+        name: kind,
+        backend,
+        glb: kind.includes('GLB') ? await quantisedModel() : undefined,
+      } satisfies KindCase);
+      const { texels, worst, draws, programs } = report;
+      console.log(
+        `    ${texels} texels on it, ${report.outlines} outlines, ${(1000 * worst).toFixed(2)} mm`,
+      );
+      expect(report.wrong).toEqual([]);
+      expect(report.strangers).toEqual([]);
+      expect(texels).toBeGreaterThan(150);
+      expect(report.outlines / report.all).toBeLessThanOrEqual(OUTLINES);
+      expect(worst).toBeLessThanOrEqual(0.01);
+      writeRow({ kind, group: 'geometry', backend, worst, texels, draws, programs });
+    });
+  }
 }
 
 for (const backend of BACKENDS) {
   test(`should find each face’s highest red as the equations do, ${backend}`, async ({ page }) => {
-    await openPage(page);
     for (const [resolution, poses] of [
       [32, 30],
       [8, 4],
       [64, 4],
     ]) {
-      const reports = await callInPage<AxisReport[]>(page, '/e2e/harness/axis.ts', {
+      const reports = await runInPage<AxisReport[]>(page, '/e2e/harness/axis.ts', {
         poses,
         seed: 3,
         resolution,

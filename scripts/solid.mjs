@@ -12,12 +12,19 @@ import { main, root, run } from './run.mjs';
 
 /** @typedef {import('../e2e/support/solidRows.js').SolidRow} Row */
 
-const SPECS = ['e2e/kinds.spec.ts', 'e2e/materials.spec.ts'];
+const SPECS = ['e2e/kinds.spec.ts', 'e2e/materials.spec.ts', 'e2e/webgpu.spec.ts'];
+/** Columns, each with what its tests measured. @type {NonNullable<Row['backend']>[]} */
+const BACKENDS = ['WebGL2', 'WebGPU', 'fallback'];
 const ROWS = join(root, 'test-results', 'solid');
 const PAGE = join(root, 'docs', 'solid.md');
 
 /** @type {Record<Row['group'], string>} */
-const GROUPS = { geometry: 'Objects', material: 'Materials', policy: 'What is solid' };
+const GROUPS = {
+  geometry: 'Objects',
+  material: 'Materials',
+  node: 'Node materials',
+  policy: 'What is solid',
+};
 
 await main(async () => {
   if (!process.argv.includes('--rows')) {
@@ -36,7 +43,7 @@ await main(async () => {
   const made = old.replace(marks, (_, begin, end) => `${begin}\n\n${text}\n\n${end}`);
   const options = await resolveConfig(PAGE);
   writeFileSync(PAGE, await format(made, { ...options, parser: 'markdown' }));
-  console.log(`docs/solid.md: ${rows.length} kinds`);
+  console.log(`docs/solid.md: ${kindsOf(rows).length} kinds`);
 });
 
 /** @returns {Row[]} by name */
@@ -64,14 +71,39 @@ function tablesOf(rows) {
             ...own.map(({ kind, note }) => line(kind.replace('policy: ', ''), note ?? '')),
           ]
         : [
-            line('kind', 'WebGL2', 'worst error, mm', 'draws', 'programs'),
-            line('---', '---', '---:', '---:', '---:'),
-            ...own.map(({ kind, worst, draws, programs }) =>
-              line(kind, 'as drawn', (1000 * worst).toFixed(2), draws, programs),
+            line('kind', ...BACKENDS, 'draws', 'programs'),
+            line('---', ...BACKENDS.map(() => '---:'), '---:', '---:'),
+            ...kindsOf(own).map((rows) =>
+              line(
+                rows[0].kind,
+                ...BACKENDS.map((backend) => error(rows.find((row) => on(row) === backend))),
+                each(rows, ({ draws }) => draws),
+                each(rows, ({ programs }) => programs),
+              ),
             ),
           ];
     return [`### ${heading}`, table.join('\n')];
   });
+}
+
+/** @param {Row} row */
+const on = (row) => row.backend ?? 'WebGL2';
+
+/** @param {Row | undefined} row */
+const error = (row) => (row === undefined ? '' : (1000 * row.worst).toFixed(2));
+
+/** One number if all backends say the same, else each its own. @param {Row[]} rows @param {(row: Row) => number} of */
+function each(rows, of) {
+  const sorted = BACKENDS.flatMap((backend) => rows.filter((row) => on(row) === backend));
+  const all = sorted.map(of);
+  return new Set(all).size === 1 ? all[0] : all.join(', ');
+}
+
+/** The rows of each kind. @param {Row[]} rows */
+function kindsOf(rows) {
+  const kinds = new Map();
+  for (const row of rows) kinds.set(row.kind, [...(kinds.get(row.kind) ?? []), row]);
+  return /** @type {Row[][]} */ ([...kinds.values()]);
 }
 
 async function machineLine() {

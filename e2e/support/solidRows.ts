@@ -1,9 +1,12 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
+import type { Backend } from './rendering.js';
 
-/** A line of the table in docs/solid.md. */
+/** A line of the table in docs/solid.md, as far as one backend says it. */
 export interface SolidRow {
   kind: string;
-  group: 'material' | 'geometry' | 'policy';
+  /** By default WebGL2. */
+  backend?: Backend;
+  group: 'material' | 'geometry' | 'node' | 'policy';
   /** Largest error of distance, metres. */
   worst: number;
   texels: number;
@@ -19,5 +22,6 @@ export function writeRow(row: SolidRow): void {
   if (process.env.THREE_VERSION === 'oldest') return;
   mkdirSync('test-results/solid', { recursive: true });
   const name = row.kind.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-');
-  writeFileSync(`test-results/solid/${name}.json`, `${JSON.stringify(row)}\n`);
+  const { backend = 'WebGL2' } = row;
+  writeFileSync(`test-results/solid/${name}.${backend}.json`, `${JSON.stringify(row)}\n`);
 }

@@ -151,7 +151,8 @@ async function pendingErrors(context: BrowserContext): Promise<string[]> {
 }
 
 /**
- * Opens an empty page (a shared one only once), imports a module there, calls its default export, and returns what that resolves with.
+ * Opens an empty page (a shared one only once), imports a module there, calls its default export, and returns what that
+ * resolves with.
  *
  * @param url the module from the root of the repository: `/e2e/harness/readback.ts`
  * @param args handed to the function; they and the result go through JSON

@@ -1,4 +1,4 @@
-import type { Skeleton, SkinnedMesh } from 'three/webgpu';
+import { Skeleton, type SkinnedMesh } from 'three/webgpu';
 import type { ObjectProxy } from '../collider/objectProxy.js';
 
 interface OwnSkeleton extends Skeleton {
@@ -9,9 +9,12 @@ interface OwnSkeleton extends Skeleton {
 /** Of each skeleton, one for all cubemaps. */
 const skeletons = new WeakMap<Skeleton, OwnSkeleton>();
 
+const nothing = () => {};
+
 /**
- * Gives the proxy of a skinned mesh bone matrices of its own. three updates a skeleton once a frame: done for us, before
- * the user has posed it, the user's picture would show the pose of the frame before.
+ * Gives the proxy of a skinned mesh bone matrices of its own, as its bones are now. three updates a skeleton once a
+ * frame: done for us, before the user has posed it, the user's picture would show the pose of the frame before; and
+ * posed anew in the same frame, it would not be drawn so for us.
  */
 export function giveOwnSkeleton(proxy: ObjectProxy): void {
   const { isSkinnedMesh, skeleton } = proxy.source as Partial<SkinnedMesh>;
@@ -22,6 +25,7 @@ export function giveOwnSkeleton(proxy: ObjectProxy): void {
   }
   const posed = proxy as unknown as { skeleton: Skeleton };
   if (posed.skeleton !== own) posed.skeleton = own;
+  Skeleton.prototype.update.call(own);
 }
 
 /** Bones and their inverses are the user's, live. */
@@ -33,5 +37,7 @@ function createOwnSkeleton(source: Skeleton): OwnSkeleton {
     boneTexture: own(null),
     previousBoneMatrices: own(null),
     previousBoneTexture: own(null),
+    // Not by three.
+    update: own(nothing),
   }) as OwnSkeleton;
 }
