@@ -1,4 +1,5 @@
 import type surface from './harness/surface.js';
+import type { Agreement } from './harness/agreement.js';
 import type { AxisReport } from './harness/axis.js';
 import type { KindCase, KindReport } from './harness/kinds.js';
 import type { SurfaceCase } from './harness/surface.js';
@@ -91,3 +92,19 @@ for (const backend of BACKENDS) {
     }
   });
 }
+
+test('should see what WebGLRenderer sees, within a millimetre', async ({ page }) => {
+  const reports = await runInPage<Agreement[]>(page, '/e2e/harness/agreement.ts', [
+    'WebGL2',
+    ...BACKENDS,
+  ]);
+  reports.forEach(({ same, seen, distance, normal, strangers }, i) => {
+    console.log(
+      `    ${BACKENDS[i]}: ${same} of ${seen} texels see the same plane; distances differ by up to ` +
+        `${(1e6 * distance).toFixed(1)} µm, normals by ${normal.toFixed(5)}`,
+    );
+    expect(same / seen).toBeGreaterThan(0.99);
+    expect(distance).toBeLessThan(0.001);
+    expect(strangers).toBe(0);
+  });
+});
