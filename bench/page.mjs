@@ -4,6 +4,14 @@ import { chromium } from '@playwright/test';
 import { createServer } from 'vite';
 import { ADVICE, findBrowser } from '../scripts/browser.mjs';
 
+/** In software too; see playwright.config.ts. */
+const WEBGPU = [
+  '--enable-unsafe-webgpu',
+  '--use-webgpu-adapter=swiftshader',
+  '--use-vulkan=swiftshader',
+  '--enable-features=Vulkan',
+];
+
 /** Headers that give the page a fine clock: without them it ticks in tenths of a millisecond. */
 const ISOLATED = {
   'Cross-Origin-Opener-Policy': 'same-origin',
@@ -31,7 +39,7 @@ export async function openPage({ plugins = [], onMessage } = {}) {
   await server.listen();
   const browser = await chromium.launch({
     executablePath: found.path,
-    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...WEBGPU],
   });
   const page = await browser.newPage({ viewport: { width: 800, height: 600 } });
   if (onMessage) page.on('console', (message) => onMessage(message.type(), message.text()));

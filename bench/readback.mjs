@@ -13,7 +13,12 @@ const MODES = {
   fenced: 'fenced, copied at the next frame',
   async: 'async (ours)',
   ask: '(none: asking WebGL for its clear colour)',
+  WebGPU: 'WebGPU, mapped (ours)',
+  fallback: 'WebGPURenderer on WebGL 2 (ours)',
 };
+/** @param {string} mode */
+const moduleOf = (mode) =>
+  mode === 'WebGPU' || mode === 'fallback' ? '/bench/readbackNodes.ts' : '/bench/readback.ts';
 
 const { run, machine, close } = await openPage();
 const results = [];
@@ -24,7 +29,7 @@ console.log(
 console.log('| --- | --- | --- | --- | --- | --- |');
 for (const [page, load] of Object.entries(LOADS)) {
   for (const mode of Object.keys(MODES)) {
-    const result = await run('/bench/readback.ts', { mode, load, frames: Number(values.frames) });
+    const result = await run(moduleOf(mode), { mode, load, frames: Number(values.frames) });
     results.push({ page, ...result });
     const { blocked, latency, frame } = result;
     console.log(

@@ -24,6 +24,7 @@ import {
   type WebGPURenderer,
 } from 'three/webgpu';
 import { ATLAS_COLUMNS } from '../cube/atlas.js';
+import { type CompileJob, compileQuad } from './NearestQuad.js';
 import { createFloatTarget } from './texelTargets.js';
 
 /**
@@ -35,8 +36,8 @@ export interface AxisReduction {
   readonly result: RenderTarget | StorageBufferAttribute;
   /** Finds the six anew. */
   reduce(renderer: WebGPURenderer): void;
-  /** Programs ready before the first frame. */
-  compile(renderer: WebGPURenderer): Promise<void>;
+  /** What makes its programs ready before the first frame. */
+  jobs(renderer: WebGPURenderer): CompileJob[];
   dispose(): void;
 }
 
@@ -120,7 +121,10 @@ export class ComputedAxisReduction implements AxisReduction {
     renderer.compute(this.#compute);
   }
 
-  async compile(): Promise<void> {}
+  /** three compiles what it computes when it does so first. */
+  jobs(): CompileJob[] {
+    return [];
+  }
 
   dispose(): void {
     this.#compute.dispose();
@@ -157,12 +161,12 @@ export class DrawnAxisReduction implements AxisReduction {
     }
   }
 
-  async compile(renderer: WebGPURenderer): Promise<void> {
-    const compiled = this.#passes.map(({ quad, target }) => {
-      renderer.setRenderTarget(target);
-      return renderer.compileAsync(quad, quad.camera);
-    });
-    await Promise.all(compiled);
+  jobs(renderer: WebGPURenderer): CompileJob[] {
+    return this.#passes.map(
+      ({ quad, target }) =>
+        () =>
+          compileQuad(renderer, quad, target),
+    );
   }
 
   dispose(): void {

@@ -11,6 +11,19 @@ import { atlasSize } from '../cube/atlas.js';
 import { PLACES } from '../cube/finerTexel.js';
 import { createFloatTarget } from './texelTargets.js';
 
+/** Begins to compile something; the renderer's state counts while it is called, not afterwards. */
+export type CompileJob = () => Promise<void>;
+
+/** @param target what it is drawn into */
+export function compileQuad(
+  renderer: WebGPURenderer,
+  quad: QuadMesh,
+  target: RenderTarget,
+): Promise<void> {
+  renderer.setRenderTarget(target);
+  return renderer.compileAsync(quad, quad.camera) as Promise<void>;
+}
+
 /**
  * Makes of the drawn atlas the one that is read, in the order in which the decoder reads it (bottom row first): of each
  * block of finer texels the nearest, whole, with its place in the block. See `NearestPass`, which does it for WebGL.
@@ -43,10 +56,9 @@ export class NearestQuad {
     this.#quad.render(renderer);
   }
 
-  /** The program ready before the first frame. */
-  async compile(renderer: WebGPURenderer): Promise<void> {
-    renderer.setRenderTarget(this.result);
-    await renderer.compileAsync(this.#quad, this.#quad.camera);
+  /** What makes its program ready before the first frame. */
+  jobs(renderer: WebGPURenderer): CompileJob[] {
+    return [() => compileQuad(renderer, this.#quad, this.result)];
   }
 
   dispose(): void {

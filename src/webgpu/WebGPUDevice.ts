@@ -122,18 +122,27 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
 
   async compile(scenery: Scenery): Promise<boolean> {
     const { renderer } = this;
-    this.#state.enter(renderer);
-    try {
-      this.#arrange(scenery);
-      renderer.setRenderTarget(this.#drawn);
-      const scene = renderer.compileAsync(scenery.scene, this.#cameras);
-      const passes = [this.#nearest.compile(renderer), this.#axis?.compile(renderer)];
-      this.#compiling = Promise.all([scene, ...passes]);
-    } finally {
-      this.#state.leave(renderer);
+    const jobs = [
+      () => {
+        this.#arrange(scenery);
+        renderer.setRenderTarget(this.#drawn);
+        return renderer.compileAsync(scenery.scene, this.#cameras);
+      },
+      ...this.#nearest.jobs(renderer),
+      ...(this.#axis?.jobs(renderer) ?? []),
+    ];
+    // One after the other: three keeps the state of one only.
+    for (const job of jobs) {
+      if (this.#disposed) break;
+      this.#state.enter(renderer);
+      try {
+        this.#compiling = job();
+      } finally {
+        this.#state.leave(renderer);
+      }
+      await this.#compiling;
+      this.#compiling = null;
     }
-    await this.#compiling;
-    this.#compiling = null;
     return false;
   }
 
