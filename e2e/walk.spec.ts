@@ -12,6 +12,14 @@ for (const [title, settings] of Object.entries<Partial<Settings>>({
   'at 20 Hz': { hz: 20, frames: 300 },
   'with fields three frames late': { latency: 3 },
   'with asynchronous reads': { latency: 'real', frames: 300 },
+  'on WebGPU': { backend: 'WebGPU', latency: 1, frames: 300 },
+  'on WebGPU at 20 Hz, with reads as shipped': {
+    backend: 'WebGPU',
+    latency: 'real',
+    hz: 20,
+    frames: 200,
+  },
+  'on the WebGL 2 fallback of WebGPURenderer': { backend: 'fallback', latency: 1, frames: 300 },
 })) {
   test(`should walk the demo's level ${title} and never get into what is drawn`, async ({
     page,

@@ -14,6 +14,7 @@ export const HELP = `npm run walk -- [options]
   --latency 0,1,2,3     frames that fields are held back; 0 reads 'sync'
   --real-async          one more walk that reads asynchronously as shipped, frame by frame (short: --async-steps)
   --async-steps 2000    its frames
+  --backend WebGPU      ours on WebGPURenderer, or on its 'fallback', one frame late; may be repeated (default: WebGL2)
   --steps 20000         frames of each walk
   --seed 1              of the inputs and places
   --leg 4               seconds after which it goes on at another place (the first: --start)
@@ -38,6 +39,7 @@ export function readOptions() {
       latency: { type: 'string', default: '0,1,2,3' },
       'real-async': { type: 'boolean', default: false },
       'async-steps': { type: 'string', default: '2000' },
+      backend: { type: 'string', multiple: true, default: ['WebGL2'] },
       steps: { type: 'string', default: '20000' },
       seed: { type: 'string', default: '1' },
       leg: { type: 'string', default: '4' },

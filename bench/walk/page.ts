@@ -47,7 +47,11 @@ async function begin(settings: WalkCase): Promise<void> {
   const level = await levelOf(settings.level, settings.start);
   await rapierReady();
   walker = await makeWalker(settings, level);
-  between = settings.latency === 'real' ? nextFrame : () => undefined;
+  const { mover, latency, backend = 'WebGL2' } = settings;
+  const settle = () => (walker as CubeWalker).between();
+  between = () => undefined;
+  if (mover === 'cube' && latency === 'real') between = nextFrame;
+  else if (mover === 'cube' && backend !== 'WebGL2') between = settle;
   walk = new Walk(level, walker, settings);
 }
 

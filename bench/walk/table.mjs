@@ -17,9 +17,13 @@ const fixed = (value, digits = 0) => (Number.isFinite(value) ? value?.toFixed(di
 /** @param {number} metres */
 const millimetres = (metres) => fixed(1000 * metres, 1);
 
+/** What a walk's mover is called. @param {Row} row */
+export const nameOf = ({ mover, backend = 'WebGL2' }) =>
+  backend === 'WebGL2' || mover !== 'cube' ? NAMES[mover] : `${NAMES[mover]}, ${backend}`;
+
 /** @type {[string, (row: Row, level: { rows: Row[] }) => unknown][]} heading and cell of each column */
 const COLUMNS = [
-  ['mover', (row) => NAMES[row.mover]],
+  ['mover', nameOf],
   ['Hz', (row) => row.hz],
   ['late', (row) => (row.mover === 'cube' ? lateness(row.latency) : '')],
   ['penetration p50, mm', (row) => millimetres(row.penetration.p50)],
@@ -49,7 +53,7 @@ const COLUMNS = [
 
 /** @type {[string, (rows: Row[], level: { rows: Row[] }) => unknown][]} of all walks of a mover: the worst */
 const WORST = [
-  ['worst of all its walks', ([row]) => NAMES[row.mover]],
+  ['worst of all its walks', ([row]) => nameOf(row)],
   ['penetration p99, mm', (rows) => millimetres(most(rows, (row) => row.penetration.p99))],
   ['max, mm', (rows) => millimetres(most(rows, (row) => row.penetration.max))],
   ['crossed', (rows) => sum(rows, (row) => row.crossed)],
@@ -71,8 +75,12 @@ export function tables(results) {
   const lines = [`${results.machine}. ${made.join(', ')}. Seed ${results.seed}.`];
   for (const level of results.levels) {
     lines.push('', `**${level.name}**, ${level.triangles} triangles, ${frames(level.rows)}:`, '');
-    const movers = Object.keys(NAMES).filter((name) => level.rows.some(isMover(name)));
-    const worst = movers.map((name) => level.rows.filter(isMover(name)));
+    const names = new Set(
+      Object.keys(NAMES).flatMap((mover) => level.rows.filter(isMover(mover)).map(nameOf)),
+    );
+    const worst = [...names].map((name) =>
+      level.rows.filter((/** @type {Row} */ row) => nameOf(row) === name),
+    );
     lines.push(...table(WORST, worst, level), '', ...table(COLUMNS, level.rows, level));
   }
   return lines.join('\n');

@@ -12,7 +12,7 @@ export default async function walk(
   const between = () =>
     settings.latency === 'real'
       ? new Promise<void>((resolve) => requestAnimationFrame(() => resolve()))
-      : undefined;
+      : walker.between();
   while (!walk.done) {
     walk.frame();
     await between();
