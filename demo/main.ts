@@ -1,13 +1,12 @@
-import { MathUtils, PerspectiveCamera, Scene, Timer, Vector3, WebGLRenderer } from 'three';
+import { MathUtils, PerspectiveCamera, Scene, Timer, Vector3, type WebGLRenderer } from 'three';
 import {
   AxisResponse,
   CharacterController,
   CharacterControls,
-  CubeCollider,
+  type CubeCollider,
   DEFAULTS,
   SlideResponse,
 } from 'three-cube-collider';
-import { CubeColliderHelper } from 'three-cube-collider/helpers';
 import { createAvatar } from './avatar.js';
 import { createHall, type Hall } from './hall/createHall.js';
 import { addLighting, type Lighting } from './lighting.js';
@@ -19,6 +18,7 @@ import { type Change, createPanel, type Settings } from './panel.js';
 import { DEFAULT_LEVEL, readParameters } from './parameters.js';
 import { Quality } from './Quality.js';
 import { Readout } from './Readout.js';
+import { createWebGLRendering, type Rendering } from './rendering.js';
 import { StartScreen } from './StartScreen.js';
 
 /** Below this the character has fallen into the pit, metres. */
@@ -26,9 +26,10 @@ const ABYSS = -8;
 
 const parameters = readParameters(location.search);
 
-function start(screen: StartScreen) {
-  const canvas = element<HTMLCanvasElement>('picture');
-  const renderer = new WebGLRenderer({ canvas, antialias: true });
+const canvas = element<HTMLCanvasElement>('picture');
+
+function start(screen: StartScreen, rendering: Rendering) {
+  const { renderer } = rendering;
   renderer.setPixelRatio(parameters.pixelRatio);
   const scene = new Scene();
   const camera = new PerspectiveCamera(70, 1, 0.05, 250);
@@ -44,10 +45,10 @@ function start(screen: StartScreen) {
     readback: DEFAULTS.collider.readback,
     helper: parameters.helper,
   };
-  let collider = createCollider(settings);
+  let collider = createCollider(settings, rendering);
   let character = createCharacter();
   const controls = new CharacterControls(character, camera, canvas, { view: settings.view });
-  const helper = new CubeColliderHelper(collider);
+  const helper = rendering.createView(collider);
   helper.visible = settings.helper;
   const timer = new Timer();
   timer.connect(document);
@@ -103,11 +104,11 @@ function start(screen: StartScreen) {
   function exchangeCollider(): void {
     const old = { collider, character };
     old.character.dispose();
-    collider = createCollider(settings);
+    collider = createCollider(settings, rendering);
     character = createCharacter();
     character.teleport(old.character.position);
     controls.character = character;
-    helper.collider = collider;
+    helper.show(collider);
     old.collider.dispose();
   }
 
@@ -133,6 +134,7 @@ function start(screen: StartScreen) {
       scene.add(movers.root, hall.root);
     }
     const inHall = hall !== null && parameters.place === 'hall';
+    rendering.translate(scene);
     spawn.copy(inHall ? hall!.entry : level.spawn.position);
     character.teleport(spawn);
     controls.yaw = inHall ? Math.PI : level.spawn.yaw;
@@ -146,7 +148,7 @@ function start(screen: StartScreen) {
   // What lies over the picture.
   const readout = parameters.ui ? new Readout() : null;
   const quality = parameters.adaptive ? new Quality(renderer, scene) : null;
-  const panel = parameters.ui ? createPanel(settings, apply) : null;
+  const panel = parameters.ui ? createPanel(settings, rendering, apply) : null;
   const hint = element('hint');
   controls.enabled = !parameters.ui;
   if (!parameters.ui) screen.hide();
@@ -237,10 +239,13 @@ function start(screen: StartScreen) {
   };
 }
 
-function createCollider({ output, resolution, supersample, readback }: Settings): CubeCollider {
+function createCollider(
+  { output, resolution, supersample, readback }: Settings,
+  rendering: Rendering,
+): CubeCollider {
   return output === 'axis'
-    ? new CubeCollider({ output, resolution, rMax: DEFAULTS.character.radius })
-    : new CubeCollider({ resolution, supersample, readback });
+    ? rendering.createCollider({ output, resolution, rMax: DEFAULTS.character.radius })
+    : rendering.createCollider({ resolution, supersample, readback });
 }
 
 function createResponse({ output, response }: Settings): SlideResponse | AxisResponse {
@@ -263,9 +268,20 @@ declare global {
 }
 
 const screen = new StartScreen(() => window.demo.walk());
-try {
-  window.demo = start(screen);
-} catch (error) {
+const fail = (error: unknown) => {
   console.error(error);
   screen.fail(error, 'This page needs WebGL 2: is hardware acceleration switched off?');
+};
+try {
+  if (parameters.renderer === 'webgl') window.demo = start(screen, createWebGLRendering(canvas));
+  else void startWebGPU().catch(fail);
+} catch (error) {
+  fail(error);
+}
+
+/** Loaded only where it is asked for: a second renderer is as large as the first. */
+async function startWebGPU(): Promise<void> {
+  const { createWebGPURendering } = await import('./webgpu/createWebGPURendering.js');
+  const rendering = await createWebGPURendering(canvas, parameters.renderer === 'fallback');
+  window.demo = start(screen, rendering);
 }

@@ -1,5 +1,6 @@
 import { GUI } from 'three/addons/libs/lil-gui.module.min.js';
 import { RESOLUTIONS } from './parameters.js';
+import type { Rendering } from './rendering.js';
 
 /** What the panel sets. */
 export interface Settings {
@@ -21,7 +22,11 @@ export interface Panel {
 }
 
 /** @param changed called after `settings` were */
-export function createPanel(settings: Settings, changed: (what: Change) => void): Panel {
+export function createPanel(
+  settings: Settings,
+  { backend, canWait }: Rendering,
+  changed: (what: Change) => void,
+): Panel {
   const gui = new GUI({ title: 'Collider' });
   gui.domElement.setAttribute('role', 'group');
   gui.domElement.setAttribute('aria-label', 'Settings');
@@ -36,24 +41,26 @@ export function createPanel(settings: Settings, changed: (what: Change) => void)
     .add(settings, 'response', { slide: 'slide', 'axis (paper)': 'axis' })
     .onChange(() => changed('response'));
   gui.add(settings, 'resolution', RESOLUTIONS).onChange(() => changed('collider'));
-  const surfaceOnly = [
-    response,
-    gui
-      .add(settings, 'supersample', { no: 1, twice: 2, '4 times': 4 })
-      .name('drawn finer')
-      .onChange(() => changed('collider')),
-    gui
-      .add(settings, 'readback', ['async', 'sync'])
-      .name('read-back')
-      .onChange(() => changed('collider')),
-  ];
+  const finer = gui
+    .add(settings, 'supersample', { no: 1, twice: 2, '4 times': 4 })
+    .name('drawn finer')
+    .onChange(() => changed('collider'));
+  const readback = gui
+    .add(settings, 'readback', ['async', 'sync'])
+    .name('read-back')
+    .onChange(() => changed('collider'));
   gui
     .add(settings, 'helper')
     .name('collider view')
     .onChange(() => changed('helper'));
 
+  gui.add({ backend }, 'backend').name('drawn by').disable();
+
   const showFitting = () => {
-    for (const controller of surfaceOnly) controller.show(settings.output === 'surface');
+    const surface = settings.output === 'surface';
+    response.show(surface);
+    finer.show(surface);
+    readback.show(surface && canWait);
   };
   showFitting();
   if (window.innerWidth <= 560) gui.close();

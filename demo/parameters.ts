@@ -4,6 +4,8 @@ export interface Parameters {
   level: string;
   /** Where the walk begins. */
   place: 'start' | 'hall';
+  /** three's renderer; 'fallback' is the second on WebGL 2. */
+  renderer: 'webgl' | 'webgpu' | 'fallback';
   view: 'first' | 'third';
   /** Texels per face edge. */
   resolution: number;
@@ -21,6 +23,8 @@ export interface Parameters {
 
 export const DEFAULT_LEVEL = `${import.meta.env.BASE_URL}level.glb`;
 
+const RENDERERS = ['webgl', 'webgpu', 'fallback'] as const;
+
 export const RESOLUTIONS = [8, 16, 32, 64];
 
 /** Takes what it understands and leaves the rest at what it is without. */
@@ -31,6 +35,7 @@ export function readParameters(search: string): Parameters {
   return {
     level: query.get('level') ?? DEFAULT_LEVEL,
     place: query.get('place') === 'hall' ? 'hall' : 'start',
+    renderer: RENDERERS.find((name) => name === query.get('renderer')) ?? 'webgl',
     view: query.get('view') === 'third' ? 'third' : 'first',
     resolution: RESOLUTIONS.includes(resolution) ? resolution : 32,
     output,

@@ -12,9 +12,9 @@ import { assemble, merge, type Materials, slab } from '../pieces.js';
 import { hemmed } from './cloth.js';
 import type { Exhibit } from './Exhibit.js';
 
-const [WIDTH, HEIGHT] = [6.4, 3];
+export const [WIDTH, HEIGHT] = [6.4, 3];
 /** Over which the bulges die down to the frame, metres. */
-const HEM = 1.1;
+export const HEM = 1.1;
 
 export interface BulgingWall extends Exhibit {
   readonly sheet: Mesh;

@@ -2,15 +2,15 @@ import { Mesh, MeshStandardMaterial } from 'three';
 import { cloth, hemmed } from './cloth.js';
 import type { Exhibit } from './Exhibit.js';
 
-const [WIDTH, DEPTH] = [8.4, 7];
+export const [WIDTH, DEPTH] = [8.4, 7];
 const CELL = 0.125;
 /** Over which the waves die down to its edges, metres. */
-const HEM = 1.3;
+export const HEM = 1.3;
 const LIFTED = 0.012;
 /** How high they lie on the whole, metres. */
-const MEAN = 0.3;
+export const MEAN = 0.3;
 /** Trains of waves: height in metres, radians a metre along x and z, radians a second. */
-const TRAINS = [
+export const TRAINS = [
   [0.13, 1.7, 0.5, 1.3],
   [0.07, -0.9, 2.1, 1.7],
 ] as const;
@@ -26,6 +26,7 @@ export function createWaves(): Waves {
   const material = new MeshStandardMaterial({ color: '#5f93bd', roughness: 0.35 });
   material.name = 'waves';
   displace(material, time);
+  material.userData.time = time;
   const mesh = new Mesh(cloth(WIDTH, DEPTH, CELL), material);
   mesh.name = 'waves';
   // Over the hall's floor, which its edges would else meet.

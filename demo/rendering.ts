@@ -1,0 +1,39 @@
+import { type Object3D, WebGLRenderer } from 'three';
+import { CubeCollider, type CubeColliderOptions } from 'three-cube-collider';
+import { CubeColliderHelper } from 'three-cube-collider/helpers';
+
+/** Shows what a collider sees. */
+export interface ColliderView {
+  visible: boolean;
+  /** Another one, from now on. */
+  show(collider: CubeCollider): void;
+  /** Once a frame, after the picture. */
+  render(renderer: WebGLRenderer): void;
+}
+
+/** All that differs from renderer to renderer; the demo calls what both have by the names of `WebGLRenderer`. */
+export interface Rendering {
+  readonly renderer: WebGLRenderer;
+  /** What draws, for people. */
+  readonly backend: string;
+  /** Whether a read can be waited for. */
+  readonly canWait: boolean;
+  createCollider(options: CubeColliderOptions): CubeCollider;
+  createView(collider: CubeCollider): ColliderView;
+  /** Gives shaders in GLSL their like in the renderer's own language. */
+  translate(root: Object3D): void;
+}
+
+export function createWebGLRendering(canvas: HTMLCanvasElement): Rendering {
+  return {
+    renderer: new WebGLRenderer({ canvas, antialias: true }),
+    backend: 'WebGL 2',
+    canWait: true,
+    createCollider: (options) => new CubeCollider(options),
+    createView(collider) {
+      const helper = new CubeColliderHelper(collider);
+      return Object.assign(helper, { show: (shown: CubeCollider) => (helper.collider = shown) });
+    },
+    translate: () => {},
+  };
+}
