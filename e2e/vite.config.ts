@@ -20,6 +20,8 @@ export default defineConfig({
     alias: [
       ...Object.entries(alias).map(([find, replacement]) => ({ find, replacement })),
       ...oldest,
+      // One file, without the maps of sources that it does not bring.
+      { find: /^iwer$/, replacement: 'iwer/build/iwer.module.js' },
     ],
   },
   // Pre-bundling could find one more dependency in mid-test and reload the page. three and its addons are ES

@@ -84,10 +84,19 @@ export class RendererState {
     renderer.xr.enabled = this.#xr;
     renderer.setRenderTarget(this.#target as never, this.#face, this.#mip);
     if (!renderer.getCurrentViewport(current).equals(this.#viewport)) {
-      // The user called setViewport with a target bound; or the pixel ratio is broken, and three rounds a viewport
-      // that is set but floors it when the canvas is bound. Setting it once more makes it current again.
-      renderer.setViewport(renderer.getViewport(current));
-      if (this.#target !== null) renderer.state.viewport(this.#viewport);
+      if (this.#target === null) {
+        // The pixel ratio is broken, and three rounds a viewport that is set but floors it when the canvas is bound.
+        // Setting it once more makes it current again.
+        renderer.setViewport(renderer.getViewport(current));
+      } else {
+        // The user called setViewport with a target bound, or XR drew the last eye: a viewport that is not the target's
+        // own. Lent to it, it becomes current again.
+        const { viewport } = this.#target;
+        current.copy(viewport);
+        viewport.copy(this.#viewport);
+        renderer.setRenderTarget(this.#target as never, this.#face, this.#mip);
+        viewport.copy(current);
+      }
     }
     if (this.#target !== null) renderer.state.setScissorTest(this.#scissorTest);
     if (this.#keepsScissor) renderer.state.scissor(this.#scissor);
