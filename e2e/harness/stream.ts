@@ -25,6 +25,19 @@ function timeOf(renderer: WebGLRenderer): { theirs: number } {
   return clock;
 }
 
+/** How long the machine takes for work that is always the same, half a millisecond of it where nothing comes between. */
+function busyLoop(): () => number {
+  let sum = 0;
+  const spin = (count: number) => {
+    const start = performance.now();
+    for (let i = 0; i < count; i++) sum += Math.sqrt(sum + i);
+    return performance.now() - start;
+  };
+  let count = 1000;
+  while (Math.min(spin(count), spin(count), spin(count), spin(count)) < 0.5) count *= 1.25;
+  return () => spin(count);
+}
+
 /**
  * Tiles come and go every frame around a collider, each a group with a plate and two stones: a loader of map tiles at its
  * busiest. Every fourth frame one of those added lies within reach; is it seen in its first frame?
@@ -48,6 +61,9 @@ export default async function stream({ tiles, seconds }: { tiles: number; second
   const geometries: number[] = [];
   const alive: Group[] = [];
   const own: number[] = [];
+  // Beside our own work, to tell its hitches from those of the machine.
+  const control: number[] = [];
+  const busy = busyLoop();
   let missed = 0;
   let asked = 0;
   let count = 0;
@@ -87,7 +103,10 @@ export default async function stream({ tiles, seconds }: { tiles: number; second
     clock.theirs = 0;
     collider.survey(scene);
     collider.update(renderer, scene);
-    if (frame >= 0) own.push(performance.now() - start - clock.theirs);
+    if (frame >= 0) {
+      own.push(performance.now() - start - clock.theirs);
+      control.push(busy());
+    }
     if (near !== null) {
       asked++;
       const number = collider.field!.objects.indexOf(near) + 1;
@@ -104,5 +123,5 @@ export default async function stream({ tiles, seconds }: { tiles: number; second
   geometries.push(renderer.info.memory.geometries);
   renderer.dispose();
   renderer.forceContextLoss();
-  return { tiles, own, missed, asked, held, geometries };
+  return { tiles, own, control, missed, asked, held, geometries };
 }
