@@ -61,8 +61,13 @@ const PARTS = {
         'times the first',
         'drawn near, ms',
         'times the first',
-        'found in frames of 1 ms',
-        'longest slice, ms',
+        'found in slices of 1.5 ms',
+        'a slice, ms',
+        'longest',
+        'over 2 ms',
+        'a busy loop, ms',
+        'longest',
+        'over 2 ms',
         'bytes a triangle',
       ],
       results.huge.map((/** @type {any} */ each) => [
@@ -72,7 +77,15 @@ const PARTS = {
         spread(each.draw),
         (quantile(each.draw, 0.5) / least).toFixed(2),
         each.slices.length || '-',
-        each.slices.length > 0 ? `${show(Math.max(...each.slices))} (${spread(each.slices)})` : '-',
+        ...[each.slices, each.control].flatMap((times) =>
+          times.length === 0
+            ? ['-', '-', '-']
+            : [
+                spread(times),
+                show(Math.max(...times)),
+                times.filter((/** @type {number} */ t) => t > 2).length,
+              ],
+        ),
         each.bytes > 0 ? each.bytes.toFixed(2) : '-',
       ]),
     );

@@ -1,5 +1,6 @@
 import { BoxGeometry, Group, Mesh, MeshBasicMaterial, Scene, WebGLRenderer } from 'three';
 import { CubeCollider } from 'three-cube-collider';
+import { busyLoop } from '../support/busyLoop.js';
 
 /** Tiles that are there at a time, for each one added a frame. */
 const KEPT = 30;
@@ -23,19 +24,6 @@ function timeOf(renderer: WebGLRenderer): { theirs: number } {
   watch(renderer, 'render');
   for (const name of ['readPixels', 'clearBufferfv']) watch(gl, name);
   return clock;
-}
-
-/** How long the machine takes for work that is always the same, half a millisecond of it where nothing comes between. */
-function busyLoop(): () => number {
-  let sum = 0;
-  const spin = (count: number) => {
-    const start = performance.now();
-    for (let i = 0; i < count; i++) sum += Math.sqrt(sum + i);
-    return performance.now() - start;
-  };
-  let count = 1000;
-  while (Math.min(spin(count), spin(count), spin(count), spin(count)) < 0.5) count *= 1.25;
-  return () => spin(count);
 }
 
 /**
@@ -63,7 +51,7 @@ export default async function stream({ tiles, seconds }: { tiles: number; second
   const own: number[] = [];
   // Beside our own work, to tell its hitches from those of the machine.
   const control: number[] = [];
-  const busy = busyLoop();
+  const busy = busyLoop(0.5);
   let missed = 0;
   let asked = 0;
   let count = 0;

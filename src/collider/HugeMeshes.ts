@@ -7,7 +7,7 @@ import { isPlain, trianglesOf, verticesOf } from './verticesOf.js';
 /** Meshes with fewer triangles are drawn whole. */
 const HUGE = 20_000;
 /** Time for finding runs, a frame, milliseconds. */
-const SLICE = 1;
+const SLICE = 1.5;
 /** Frames for which an edited geometry must have kept still before its runs are found anew. */
 const REST = 30;
 /** Draws for which what a mesh needs on the GPU is kept though it is out of reach. */

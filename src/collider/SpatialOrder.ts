@@ -1,16 +1,22 @@
-import type { Vertices } from './TriangleIndex.js';
+import { RUN, type Vertices, widened } from './Vertices.js';
 
+/** Triangles between two looks at the clock. */
+const GRAIN = 512;
 /** Most cells of the grid: their counts take a megabyte while it is made. */
 const CELLS = 2 ** 18;
 /** As many triangles a cell are fine enough. */
 const IN_CELL = 32;
 
-/** Triangles in the order of a grid's cells, by their first vertex; found bit by bit (a counting sort). */
+/**
+ * Triangles in the order of a grid's cells, by their first vertex, and the boxes around runs of them; found bit by bit (a
+ * counting sort). Memory is what takes the time, where they are shuffled: so each is looked up but twice.
+ */
 export class SpatialOrder {
   /** Numbers of triangles, in order once it is `done`. */
   readonly triangles: Uint32Array;
   done = false;
   readonly #vertices: Vertices;
+  readonly #runs: Float32Array;
   readonly #least: [number, number, number];
   /** Cells a unit of length, and along each axis. */
   readonly #scale: number;
@@ -20,9 +26,14 @@ export class SpatialOrder {
   #counted = false;
   #next = 0;
 
-  /** @param whole the box around all vertices */
-  constructor(vertices: Vertices, whole: Float32Array) {
+  /**
+   * @param whole the box around about all triangles; what is beyond goes to the cells at its border
+   * @param runs receives the box around each run of 64
+   */
+  constructor(vertices: Vertices, whole: Float32Array, runs: Float32Array) {
     this.#vertices = vertices;
+    this.#runs = runs;
+    for (let i = 0; i < runs.length; i++) runs[i] = i % 6 < 3 ? Infinity : -Infinity;
     this.triangles = new Uint32Array(vertices.triangles);
     this.#least = [whole[0]!, whole[1]!, whole[2]!];
     const extents = [whole[3]! - whole[0]!, whole[4]! - whole[1]!, whole[5]! - whole[2]!];
@@ -35,16 +46,12 @@ export class SpatialOrder {
     this.#places = new Uint32Array(this.#cells[0] * this.#cells[1] * this.#cells[2]);
   }
 
-  /** Does that many triangles more. */
-  work(grain: number): void {
+  /** Does some triangles more. */
+  work(): void {
     const { triangles } = this.#vertices;
-    const end = Math.min(triangles, this.#next + grain);
-    const places = this.#places;
-    for (let i = this.#next; i < end; i++) {
-      const cell = this.#cellOf(i);
-      if (this.#counted) this.triangles[places[cell]!++] = i;
-      else places[cell]!++;
-    }
+    const end = Math.min(triangles, this.#next + GRAIN);
+    if (this.#counted) this.#place(this.#next, end);
+    else this.#count(this.#next, end);
     this.#next = end;
     if (end < triangles) return;
     if (this.#counted) {
@@ -52,6 +59,7 @@ export class SpatialOrder {
       this.#places = new Uint32Array(0);
       return;
     }
+    const places = this.#places;
     let place = 0;
     for (let cell = 0; cell < places.length; cell++) {
       const count = places[cell]!;
@@ -62,14 +70,47 @@ export class SpatialOrder {
     this.#next = 0;
   }
 
-  #cellOf(triangle: number): number {
+  #count(from: number, to: number): void {
+    const { array, stride, offset, index } = this.#vertices;
+    const places = this.#places;
+    for (let i = from; i < to; i++) {
+      const at = stride * (index === null ? 3 * i : index[3 * i]!) + offset;
+      places[this.#cellOf(array[at]!, array[at + 1]!, array[at + 2]!)]!++;
+    }
+  }
+
+  #place(from: number, to: number): void {
     const { array, stride, offset, factor, index } = this.#vertices;
-    const at = stride * (index === null ? 3 * triangle : index[3 * triangle]!) + offset;
+    const { triangles } = this;
+    const places = this.#places;
+    const runs = this.#runs;
+    for (let i = from; i < to; i++) {
+      const corner = 3 * i;
+      const a = stride * (index === null ? corner : index[corner]!) + offset;
+      const b = stride * (index === null ? corner + 1 : index[corner + 1]!) + offset;
+      const c = stride * (index === null ? corner + 2 : index[corner + 2]!) + offset;
+      const place = places[this.#cellOf(array[a]!, array[a + 1]!, array[a + 2]!)]!++;
+      triangles[place] = i;
+      let at = 6 * Math.floor(place / RUN);
+      for (let axis = 0; axis < 3; axis++, at++) {
+        const u = array[a + axis]! * factor;
+        const v = array[b + axis]! * factor;
+        const w = array[c + axis]! * factor;
+        const least = widened(u < v ? (u < w ? u : w) : v < w ? v : w, -1);
+        const most = widened(u > v ? (u > w ? u : w) : v > w ? v : w, 1);
+        if (least < runs[at]!) runs[at] = least;
+        if (most > runs[at + 3]!) runs[at + 3] = most;
+      }
+    }
+  }
+
+  #cellOf(x: number, y: number, z: number): number {
+    const { factor } = this.#vertices;
     const [nx, ny, nz] = this.#cells;
-    const x = this.#along(array[at]! * factor - this.#least[0], nx);
-    const y = this.#along(array[at + 1]! * factor - this.#least[1], ny);
-    const z = this.#along(array[at + 2]! * factor - this.#least[2], nz);
-    return x + nx * (y + ny * z);
+    const i = this.#along(x * factor - this.#least[0], nx);
+    const j = this.#along(y * factor - this.#least[1], ny);
+    const k = this.#along(z * factor - this.#least[2], nz);
+    return i + nx * (j + ny * k);
   }
 
   /** Out of range, or no number at all, is the first or the last. */

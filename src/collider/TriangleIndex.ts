@@ -1,26 +1,16 @@
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
 import { SpatialOrder } from './SpatialOrder.js';
+import { RUN, type Vertices, widened } from './Vertices.js';
 
-/** Triangles with one box around them, and such runs with another around those. */
-const RUN = 64;
+/** Runs with another box around their boxes. */
 const RUNS = 32;
+/** Runs, here and there, by which an order is judged before all of it is looked at. */
+const SAMPLES = 64;
 /** Triangles between two looks at the clock. */
 const GRAIN = 1024;
 /** Part of its runs that a place in a mesh may be in, with a fiftieth of the mesh around it; of more, the order is bad. */
 const SCATTERED = 0.05;
 const AROUND = 0.02;
-/** Boxes are 32-bit floats: so much wider, relative to where they are. */
-const ROUNDING = 1e-6;
-
-/** A geometry's vertices and indices as plain arrays; places are `array[stride * vertex + offset + axis] * factor`. */
-export interface Vertices {
-  readonly array: ArrayLike<number>;
-  readonly stride: number;
-  readonly offset: number;
-  readonly factor: number;
-  readonly index: ArrayLike<number> | null;
-  readonly triangles: number;
-}
 
 /**
  * Where a geometry's triangles are: a box around each run of 64, in the geometry's own order or, where that is
@@ -39,6 +29,7 @@ export class TriangleIndex {
   #blocks = new Float32Array(0);
   readonly #whole = new Float32Array(6);
   #next = 0;
+  #sampled = false;
   #order: SpatialOrder | null = null;
 
   constructor(geometry: BufferGeometry, vertices: Vertices) {
@@ -79,17 +70,19 @@ export class TriangleIndex {
       this.#blocks = new Float32Array(6 * Math.ceil(runs / RUNS));
     }
     do {
-      if (this.#order !== null && !this.#order.done) {
-        this.#order.work(GRAIN);
-      } else if (this.#next < triangles) {
+      if (!this.#sampled) {
+        this.#sample();
+      } else if (this.#order !== null && !this.#order.done) {
+        this.#order.work();
+      } else if (this.#order === null && this.#next < triangles) {
         const from = this.#next;
         this.#next = Math.min(triangles, from + GRAIN);
-        for (let start = from; start < this.#next; start += RUN) this.#measure(start);
+        for (let start = from; start < this.#next; start += RUN)
+          this.#measure(start, this.#runs, (6 * start) / RUN);
       } else {
         this.#join();
-        if (this.#order === null && this.#scattered()) {
-          this.#order = new SpatialOrder(this.vertices, this.#whole);
-          this.#next = 0;
+        if (this.#order === null && this.#scattered(this.#runs)) {
+          this.#order = new SpatialOrder(this.vertices, this.#whole, this.#runs);
         } else {
           this.done = true;
           return;
@@ -129,10 +122,23 @@ export class TriangleIndex {
     return count;
   }
 
-  /** The box around one run. */
-  #measure(start: number): void {
+  /** Is the order bad by a few of its runs? Then the rest need not be looked at. */
+  #sample(): void {
+    this.#sampled = true;
+    const runs = Math.ceil(this.vertices.triangles / RUN);
+    const boxes = new Float32Array(6 * Math.min(SAMPLES, runs));
+    for (let at = 0; at < boxes.length; at += 6) {
+      const run = Math.floor((runs * at) / boxes.length);
+      this.#measure(RUN * run, boxes, at);
+    }
+    this.#unite(boxes);
+    if (!this.#scattered(boxes)) return;
+    this.#order = new SpatialOrder(this.vertices, this.#whole, this.#runs);
+  }
+
+  /** The box around one run, in the geometry's own order. */
+  #measure(start: number, boxes: Float32Array, at: number): void {
     const { array, stride, offset, factor, index, triangles } = this.vertices;
-    const order = this.#order?.triangles ?? null;
     const end = Math.min(triangles, start + RUN);
     let x0 = Infinity;
     let y0 = Infinity;
@@ -141,8 +147,7 @@ export class TriangleIndex {
     let y1 = -Infinity;
     let z1 = -Infinity;
     for (let i = start; i < end; i++) {
-      const corner = 3 * (order === null ? i : order[i]!);
-      for (let k = corner; k < corner + 3; k++) {
+      for (let k = 3 * i; k < 3 * i + 3; k++) {
         const at = stride * (index === null ? k : index[k]!) + offset;
         const x = array[at]!;
         const y = array[at + 1]!;
@@ -155,33 +160,35 @@ export class TriangleIndex {
         if (z > z1) z1 = z;
       }
     }
-    const runs = this.#runs;
-    const at = (6 * start) / RUN;
-    runs[at] = widened(x0 * factor, -1);
-    runs[at + 1] = widened(y0 * factor, -1);
-    runs[at + 2] = widened(z0 * factor, -1);
-    runs[at + 3] = widened(x1 * factor, 1);
-    runs[at + 4] = widened(y1 * factor, 1);
-    runs[at + 5] = widened(z1 * factor, 1);
+    boxes[at] = widened(x0 * factor, -1);
+    boxes[at + 1] = widened(y0 * factor, -1);
+    boxes[at + 2] = widened(z0 * factor, -1);
+    boxes[at + 3] = widened(x1 * factor, 1);
+    boxes[at + 4] = widened(y1 * factor, 1);
+    boxes[at + 5] = widened(z1 * factor, 1);
   }
 
   /** The boxes around boxes. */
   #join(): void {
     this.#blocks.fill(Infinity);
-    this.#whole.fill(Infinity);
     for (let at = 0; at < this.#blocks.length; at += 6) {
       for (let axis = 3; axis < 6; axis++) this.#blocks[at + axis] = -Infinity;
       const end = Math.min(this.#runs.length, (at + 6) * RUNS);
       for (let run = at * RUNS; run < end; run += 6) unite(this.#runs, run, this.#blocks, at);
     }
-    for (let axis = 3; axis < 6; axis++) this.#whole[axis] = -Infinity;
-    for (let at = 0; at < this.#blocks.length; at += 6) unite(this.#blocks, at, this.#whole, 0);
+    this.#unite(this.#blocks);
   }
 
-  /** Are its runs all over the place? */
-  #scattered(): boolean {
+  /** The box around all of some. */
+  #unite(boxes: Float32Array): void {
+    this.#whole.fill(Infinity);
+    for (let axis = 3; axis < 6; axis++) this.#whole[axis] = -Infinity;
+    for (let at = 0; at < boxes.length; at += 6) unite(boxes, at, this.#whole, 0);
+  }
+
+  /** Are runs all over the place? */
+  #scattered(runs: Float32Array): boolean {
     const whole = this.#whole;
-    const runs = this.#runs;
     const longest = Math.max(whole[3]! - whole[0]!, whole[4]! - whole[1]!, whole[5]! - whole[2]!);
     if (!(longest > 0)) return false;
     const around = AROUND * longest;
@@ -200,10 +207,6 @@ export class TriangleIndex {
 
 export function versionOf(attribute: BufferAttribute | InterleavedBufferAttribute): number {
   return 'data' in attribute ? attribute.data.version : attribute.version;
-}
-
-function widened(value: number, sign: number): number {
-  return value + sign * ROUNDING * Math.abs(value);
 }
 
 function unite(from: Float32Array, at: number, to: Float32Array, into: number): void {

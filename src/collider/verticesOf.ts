@@ -6,7 +6,7 @@ import type {
   Mesh,
 } from 'three';
 import { isRigid } from './isRigid.js';
-import type { Vertices } from './TriangleIndex.js';
+import type { Vertices } from './Vertices.js';
 
 /** What a whole number of a normalized attribute stands for; 32-bit ones are rare enough. */
 const FACTORS: Record<string, number> = {
