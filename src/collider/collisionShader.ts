@@ -115,8 +115,9 @@ float surfaceDistance( out vec3 normal ) {
   if ( normal == vec3( 0.0 ) ) normal = - vFromCenter / distance;
   float slant = - dot( normal, texelDirection() );
   float height = - dot( normal, vFromCenter ); // of the centre over the plane
-  // Nearly edge-on the plane says little of the distance.
-  return slant > 0.02 ? clamp( height / slant, 0.9 * distance, 1.1 * distance ) : distance;
+  // The place is less than a texel beside the ray; nearly edge-on the plane says little of the distance.
+  float most = max( 0.1 * distance, fwidth( distance ) );
+  return slant > 0.02 ? clamp( height / slant, distance - most, distance + most ) : distance;
 }`;
 
 /** The paper's fragment shader, (9)-(11). */

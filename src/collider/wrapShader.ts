@@ -144,7 +144,8 @@ void main() {
   // The point in the plane, as in the plain shader.
   float cc_slant = - dot( cc_normal, cc_ray );
   float cc_height = - dot( cc_normal, cc_view );
-  if ( cc_slant > 0.02 ) cc_distance = clamp( cc_height / cc_slant, 0.9 * cc_distance, 1.1 * cc_distance );
+  float cc_most = max( 0.1 * cc_distance, fwidth( cc_distance ) );
+  if ( cc_slant > 0.02 ) cc_distance = clamp( cc_height / cc_slant, cc_distance - cc_most, cc_distance + cc_most );
   #ifndef USE_REVERSED_DEPTH_BUFFER
     // A sky drawn at the end of what is seen is nowhere.
     if ( gl_FragCoord.z >= 1.0 ) discard;
