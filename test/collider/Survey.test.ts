@@ -211,7 +211,7 @@ describe('a survey', () => {
     expect(survey.report.sensors).toEqual([zone]);
   });
 
-  it('should make no object, however often', () => {
+  it('should make no object, however often', async () => {
     const objects = Array.from({ length: 50 }, (_, i) => {
       const object = box();
       object.userData.sensor = i % 10 === 0;
@@ -237,6 +237,8 @@ describe('a survey', () => {
       for (let i = 0; i < 200; i++) round();
       const grown = process.memoryUsage().heapUsed - before;
       if (grown >= 0) least = Math.min(least, grown / 200);
+      // It works beside us, if there is a processor left.
+      await new Promise((resolve) => setTimeout(resolve, 20));
     }
     expect(least).toBeLessThan(512);
   });
