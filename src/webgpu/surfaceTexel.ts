@@ -62,9 +62,10 @@ export function surfaceTexel(builder: NodeBuilder, uniforms: TexelUniforms): Nod
   const ray = normalize(vec3(tile.x, tile.y.negate(), -1));
   const slant = normal.dot(ray).negate().toVar();
   const met = normal.dot(place).negate().div(slant);
+  const most = away.mul(0.1).max(away.fwidth());
   const distance = slant
     .greaterThan(0.02)
-    .select(met.clamp(away.mul(0.9), away.mul(1.1)), away)
+    .select(met.clamp(away.sub(most), away.add(most)), away)
     .toVar();
 
   if (uniforms.shell !== null) {
