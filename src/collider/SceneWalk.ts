@@ -9,6 +9,7 @@ import {
 } from 'three';
 import { FACES } from '../cube/faces.js';
 import { faultOf } from './faultOf.js';
+import { isComputed } from './isRigid.js';
 import { isSolid, type Solidity, solidityOf, type TransparentPolicy } from './isSolid.js';
 import { isLevel, levelShown } from './levelShown.js';
 import { movesVertices } from './materialKind.js';
@@ -123,8 +124,8 @@ export class SceneWalk {
     if (!none && !anySolid(material, solidityOf(mesh, this.#rules.transparent))) return;
     let faces = mesh.frustumCulled ? this.#facesTouched(node) : ALL_FACES;
     if (faces === 0) return;
-    // The bounds tell that it is near; of which faces its shader moves it into they tell nothing.
-    if (!none && mayMoveVertices(material)) faces = ALL_FACES;
+    // The bounds tell that it is near; of which faces shaders move it into they tell nothing.
+    if (!none && (mayMoveVertices(material) || isComputed(mesh))) faces = ALL_FACES;
     if (this.#rules.filter?.(mesh) === false) return;
     const fault = faultOf(mesh);
     if (fault === null) this.#listener.solid(mesh, faces);

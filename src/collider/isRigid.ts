@@ -5,7 +5,7 @@ import { movesVertices } from './materialKind.js';
 
 /**
  * Can only a mesh's world matrix change what is seen of it, but for changes that its attributes' versions tell? Not if
- * a skin, a morph or a shader that is not three's own may move its vertices.
+ * a skin, a morph, a compute shader or a shader that is not three's own may move its vertices.
  *
  * @param solidity which of its materials count
  */
@@ -16,12 +16,30 @@ export function isRigid(mesh: Mesh, solidity: Solidity = 'opaque'): boolean {
     if (morphs !== undefined && morphs.length > 0) return false;
   }
   if ((mesh as BatchedMesh).isBatchedMesh && partsOf(mesh) === null) return false;
+  if (isComputed(mesh)) return false;
   const { material } = mesh;
   if (!Array.isArray(material)) return !movesVertices(material);
   for (let i = 0; i < material.length; i++) {
     if (isSolid(material[i], solidity) && movesVertices(material[i]!)) return false;
   }
   return true;
+}
+
+/** May a compute shader write where its vertices or its instances are? */
+export function isComputed(mesh: Mesh): boolean {
+  return (
+    isStorage(mesh.geometry.attributes.position) ||
+    isStorage((mesh as Partial<InstancedMesh>).instanceMatrix)
+  );
+}
+
+function isStorage(attribute: object | undefined): boolean {
+  const given = attribute as
+    | Partial<Record<'isStorageBufferAttribute' | 'isStorageInstancedBufferAttribute', boolean>>
+    | undefined;
+  return (
+    given?.isStorageBufferAttribute === true || given?.isStorageInstancedBufferAttribute === true
+  );
 }
 
 /**

@@ -27,5 +27,10 @@ export function isSolid(
   if (solidity === 'all') return true;
   if (!material.visible) return false;
   if (solidity === 'shown') return true;
-  return material.depthWrite && (!material.transparent || material.alphaTest > 0);
+  if (!material.depthWrite) return false;
+  return !material.transparent || material.alphaTest > 0 || hasAlphaTestNode(material);
+}
+
+function hasAlphaTestNode(material: Material): boolean {
+  return !!(material as { alphaTestNode?: unknown }).alphaTestNode;
 }

@@ -14,6 +14,10 @@ interface AnyMaterial extends Material {
   isShaderMaterial?: boolean;
   isNodeMaterial?: boolean;
   displacementMap?: Texture | null;
+  /** Of node materials: what puts their vertices elsewhere. */
+  positionNode?: unknown;
+  vertexNode?: unknown;
+  geometryNode?: unknown;
 }
 
 export function materialKind(material: AnyMaterial): MaterialKind {
@@ -25,7 +29,10 @@ export function materialKind(material: AnyMaterial): MaterialKind {
 
 /** May its vertices be drawn elsewhere than their attributes say, and unseen by the processor? */
 export function movesVertices(material: AnyMaterial): boolean {
-  return material.isShaderMaterial === true || !!material.displacementMap || isHooked(material);
+  if (material.isShaderMaterial === true || !!material.displacementMap) return true;
+  // Hooks into GLSL mean nothing to the renderer for node materials.
+  if (material.isNodeMaterial !== true) return isHooked(material);
+  return !!material.positionNode || !!material.vertexNode || !!material.geometryNode;
 }
 
 /** Has the user put code of their own into three's? */

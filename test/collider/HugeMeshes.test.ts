@@ -13,6 +13,8 @@ import {
   Scene,
   Vector3,
 } from 'three';
+import { positionLocal } from 'three/tsl';
+import { MeshBasicNodeMaterial, StorageBufferAttribute } from 'three/webgpu';
 import { describe, expect, it } from 'vitest';
 import { seeded } from '../../e2e/support/axisScenes.js';
 import { Selection } from '../../src/collider/Selection.js';
@@ -290,6 +292,14 @@ describe('a huge mesh', () => {
     Object.assign(displaced, { displacementMap: {} });
     const custom = new MeshBasicMaterial();
     custom.onBeforeCompile = () => {};
+    const nodes = new MeshBasicNodeMaterial();
+    nodes.positionNode = positionLocal.mul(2);
+    const computed = geometry.clone();
+    const positions = geometry.attributes.position!;
+    computed.setAttribute(
+      'position',
+      new StorageBufferAttribute(positions.array.slice() as never, 3),
+    );
     const meshes = [
       new InstancedMesh(geometry, material, 1),
       new Mesh(morphed, material),
@@ -297,6 +307,8 @@ describe('a huge mesh', () => {
       new Mesh(uploaded, material),
       new Mesh(geometry, displaced),
       new Mesh(geometry, custom),
+      new Mesh(geometry, nodes),
+      new Mesh(computed, material),
       new Mesh(terrain(90, SIZE), material), // not huge
     ];
     const plain = new Mesh(geometry, material);

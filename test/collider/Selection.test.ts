@@ -14,6 +14,8 @@ import {
   Vector3,
 } from 'three';
 import { describe, expect, it } from 'vitest';
+import { positionLocal } from 'three/tsl';
+import { MeshBasicNodeMaterial, StorageBufferAttribute } from 'three/webgpu';
 import { seeded } from '../../e2e/support/axisScenes.js';
 import type { SelectionRules } from '../../src/collider/SceneWalk.js';
 import { Selection } from '../../src/collider/Selection.js';
@@ -150,6 +152,23 @@ describe('proxies', () => {
     sky.frustumCulled = false;
     sky.position.set(100, 0, 0);
     expect(select(sceneOf(sky))[0]!.layers.mask).toBe(0b111111);
+  });
+
+  it('should take what moves on the GPU into every face that it may have been moved to', () => {
+    const node = new Mesh(geometry, new MeshBasicNodeMaterial());
+    const computed = new Mesh(geometry.clone(), worn);
+    for (const mesh of [node, computed]) mesh.position.set(1.5, 0, 0);
+    const masks = () => select(sceneOf(node, computed)).map(({ layers }) => layers.mask);
+    expect(masks().map((mask) => mask === 0b111111)).toEqual([false, false]);
+    (node.material as MeshBasicNodeMaterial).positionNode = positionLocal.negate();
+    const { array } = geometry.attributes.position!;
+    computed.geometry.setAttribute('position', new StorageBufferAttribute(array as never, 3));
+    expect(masks()).toEqual([0b111111, 0b111111]);
+    // How far it may come is the user's to say, as for the renderer.
+    node.position.x = computed.position.x = 50;
+    expect(masks()).toEqual([]);
+    node.frustumCulled = computed.frustumCulled = false;
+    expect(masks()).toEqual([0b111111, 0b111111]);
   });
 
   it('should skip empty geometries and those without positions', () => {

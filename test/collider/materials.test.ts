@@ -66,6 +66,10 @@ describe('what is solid, by policy', () => {
     expect(judged(glass)).toEqual([false, true, true]);
     expect(judged(flat)).toEqual([false, true, true]);
     expect(judged(hidden)).toEqual([false, false, true]);
+    // What an alpha test cuts out, by a number or by a node.
+    const tested = new MeshBasicMaterial({ transparent: true, alphaTest: 0.5 });
+    expect(judged(tested)).toEqual([true, true, true]);
+    expect(judged(Object.assign(glass.clone(), { alphaTestNode: {} }))).toEqual([true, true, true]);
     expect(judged(null as never)).toEqual([false, false, false]);
     const mesh = box(glass);
     expect(solidityOf(mesh)).toBe('opaque');
