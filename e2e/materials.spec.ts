@@ -33,6 +33,7 @@ function check(seen: KindReport): void {
   );
   expect.soft(seen.wrong, `${kind}: texels off by more than 1 cm`).toBe(0);
   expect.soft(worst, kind).toBeLessThanOrEqual(0.01);
+  expect.soft(seen.strangers, `${kind}: texels misnamed`).toBe(0);
   for (const phase of seen.phases) {
     // Enough of it is seen in every phase for that to mean something.
     expect.soft(phase.texels, kind).toBeGreaterThan(100);

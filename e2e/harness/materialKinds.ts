@@ -36,8 +36,8 @@ export interface Kind {
   readonly changes: (() => void)[];
 }
 
-type Place = NonNullable<Surface['place']>;
-type There = NonNullable<Surface['there']>;
+export type Place = NonNullable<Surface['place']>;
+export type There = NonNullable<Surface['there']>;
 
 const PLACES: [position: number[], rotation: number[], scale: number[]][] = [
   [[0, 0, -1.2], [0, 0, 0], [1, 1, 1]],
@@ -46,7 +46,7 @@ const PLACES: [position: number[], rotation: number[], scale: number[]][] = [
   [[-1.1, 0.3, 0.4], [0.2, 1.3, 0.1], [-1.1, 0.8, 1]],
 ]; // prettier-ignore
 
-function put(geometry: BufferGeometry, material: Material | Material[]): Mesh[] {
+export function put(geometry: BufferGeometry, material: Material | Material[]): Mesh[] {
   return PLACES.map(([position, rotation, scale], i) => {
     const mesh = new Mesh(geometry, Array.isArray(material) ? material[i] : material);
     mesh.position.fromArray(position);
@@ -57,7 +57,7 @@ function put(geometry: BufferGeometry, material: Material | Material[]): Mesh[] 
 }
 
 /** A picture that the processor reads as the graphics card does. */
-class Picture {
+export class Picture {
   readonly texture: DataTexture;
   readonly #data: Uint8Array;
 
@@ -107,14 +107,14 @@ class Picture {
   }
 }
 
-const waves = (size: number, phase: number) =>
+export const waves = (size: number, phase: number) =>
   new Picture(size, true, (x, y) => {
     const [u, v] = [(2 * Math.PI * (x + 0.5)) / size, (2 * Math.PI * (y + 0.5)) / size];
     const value = 127.5 + 127.5 * Math.sin(u + phase) * Math.cos(2 * v);
     return [value, value, value, value];
   });
 
-const patches = (size: number, seed: number) => {
+export const patches = (size: number, seed: number) => {
   const random = seeded(seed);
   return new Picture(size, false, () => {
     const value = [0, 100, 200, 255][Math.floor(4 * random())]!;
@@ -122,22 +122,22 @@ const patches = (size: number, seed: number) => {
   });
 };
 
-const plane = (segments = 10) => new PlaneGeometry(1.4, 1.4, segments, segments);
-const uvOf = (hit: Hit) => hit.attribute('uv');
+export const plane = (segments = 10) => new PlaneGeometry(1.4, 1.4, segments, segments);
+export const uvOf = (hit: Hit) => hit.attribute('uv');
 /** How the shaders below move and cut. */
-const wave =
+export const wave =
   (time: () => number): Place =>
   (position) => {
     position.z += 0.15 * Math.sin(6 * position.x + time());
   };
-const stripes: There = (hit) => {
+export const stripes: There = (hit) => {
   // Nothing changes at the rims, where a rounding may put a place just outside.
   const along = 4 * uvOf(hit)[0]! + 0.5;
   return along - Math.floor(along) >= 0.3;
 };
 const WAVE = 'vec3 moved = position + vec3( 0.0, 0.0, 0.15 * sin( 6.0 * position.x + time ) );';
 
-function surfacesOf(meshes: Mesh[], rules: Omit<Surface, 'mesh' | 'room'>): Surface[] {
+export function surfacesOf(meshes: Mesh[], rules: Omit<Surface, 'mesh' | 'room'>): Surface[] {
   return meshes.map((mesh) => ({ mesh, ...rules }));
 }
 

@@ -15,12 +15,16 @@ export interface Hit {
 /** What a mesh should look like, told to the oracle apart from how it is drawn. */
 export interface Surface {
   readonly mesh: Mesh;
+  /** Its triangles. Default the mesh's own. */
+  readonly geometry?: BufferGeometry;
   /** Where vertex `index` of the geometry is put, object space. */
   place?: (position: Vector3, index: number) => void;
   /** Is anything there? */
   there?: (hit: Hit) => boolean;
   /** Where the drawn point lies along the ray, for shaders that write depth; null for nothing. World space. */
   depth?: (origin: Vector3, direction: Vector3) => number | null;
+  /** Which instance of the mesh it is. Default 0. */
+  readonly instance?: number;
   /** The room around, whose texels do not count as the kind's. */
   readonly room?: boolean;
 }
@@ -32,7 +36,9 @@ export interface Verdict {
   worst: number;
   /** Texels off by more than a centimetre that are no silhouettes. */
   wrong: number;
-  /** Texels off by more than a centimetre within half a drawn texel of an outline. */
+  /** Texels that name another mesh or instance than is there, and are at no outline. */
+  strangers: number;
+  /** Texels off by more than a centimetre, or misnamed, within half a drawn texel of an outline. */
   silhouettes: number;
 }
 
@@ -63,7 +69,7 @@ export function judge(
   surfaces: readonly Surface[],
 ): Verdict {
   const all = surfaces.map(trianglesOf);
-  const verdict: Verdict = { texels: 0, worst: 0, wrong: 0, silhouettes: 0 };
+  const verdict: Verdict = { texels: 0, worst: 0, wrong: 0, strangers: 0, silhouettes: 0 };
   const direction = new Vector3();
   for (let texel = 0; texel < field.count; texel++) {
     direction.fromArray(field.direction, 3 * texel).normalize();
@@ -73,12 +79,14 @@ export function judge(
     const counts = hit !== null && hit.surface.room !== true;
     if (counts) verdict.texels++;
     const error = seen === expected ? 0 : Math.abs(seen - expected);
-    if (error <= LIMIT) {
-      verdict.worst = Math.max(verdict.worst, error);
-    } else if (
-      atOutline(all, field.center, direction, near, hit, 1 / (field.resolution * supersample))
-    ) {
+    const right = error <= LIMIT;
+    if (right) verdict.worst = Math.max(verdict.worst, error);
+    const named = expected === Infinity || !right || isNamed(field, texel, hit!.surface);
+    if (right && named) continue;
+    if (atOutline(all, field.center, direction, near, hit, 1 / (field.resolution * supersample))) {
       verdict.silhouettes++;
+    } else if (right) {
+      verdict.strangers++;
     } else {
       verdict.wrong++;
       verdict.worst = Math.max(verdict.worst, Math.min(error, 1e3));
@@ -87,9 +95,14 @@ export function judge(
   return verdict;
 }
 
+function isNamed(field: SurfaceField, texel: number, { mesh, instance = 0 }: Surface): boolean {
+  const number = field.object[texel]!;
+  return field.objects[number - 1] === mesh && field.instance[texel] === instance;
+}
+
 function trianglesOf(surface: Surface): Triangles {
   const { mesh } = surface;
-  const { geometry } = mesh;
+  const { geometry = mesh.geometry } = surface;
   const { position } = geometry.attributes;
   const index = geometry.index;
   const count = index === null ? position!.count : index.count;

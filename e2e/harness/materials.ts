@@ -157,6 +157,7 @@ export function drawKind(test: KindCase): KindReport {
     texels: sum('texels'),
     worst: Math.max(...phases.map(({ worst }) => worst)),
     wrong: sum('wrong'),
+    strangers: sum('strangers'),
     silhouettes: sum('silhouettes'),
     draws,
     programs,

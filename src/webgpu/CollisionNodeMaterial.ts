@@ -80,11 +80,25 @@ export class CollisionNodeMaterial extends NodeMaterial {
     return vec4(place.xyz, w);
   }
 
+  /** The first of what a fragment does: derivatives are undefined once others of its block were discarded. */
+  override setupClipping(builder: NodeBuilder): ReturnType<NodeMaterial['setupClipping']> {
+    this.#texel = surfaceTexel(builder, this.#uniforms, this.place());
+    return super.setupClipping(builder);
+  }
+
+  /** Where a fragment's surface is, the face camera's axes. */
+  protected place(): Node<'vec3'> {
+    return positionView;
+  }
+
   override setupDiffuseColor(builder: NodeBuilder): void {
-    this.#texel = surfaceTexel(builder, this.#uniforms);
-    // Maps unblurred: a texel stands for one ray, and a fence's wires must not fade because the cubemap is small.
-    (builder.context as { getTextureLevel?: unknown }).getTextureLevel = () => float(0);
+    this.setupTextures(builder);
     super.setupDiffuseColor(builder);
+  }
+
+  /** Maps unblurred: a texel stands for one ray, and a fence's wires must not fade because the cubemap is small. */
+  protected setupTextures(builder: NodeBuilder): void {
+    (builder.context as { getTextureLevel?: unknown }).getTextureLevel = () => float(0);
   }
 
   override setupOutput(builder: NodeBuilder, outputNode: Node<'vec4'>): Node<'vec4'> {

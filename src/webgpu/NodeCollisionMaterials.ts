@@ -1,15 +1,23 @@
 import { uniform } from 'three/tsl';
-import { BackSide, DoubleSide, type Material, NodeMaterial, type Side } from 'three/webgpu';
+import {
+  BackSide,
+  DoubleSide,
+  type Material,
+  type MeshStandardMaterial,
+  NodeMaterial,
+  type Side,
+} from 'three/webgpu';
 import type { CubeColliderSettings } from '../collider/CubeColliderOptions.js';
 import { isSolid, type Solidity } from '../collider/isSolid.js';
-import { alphaCut, materialKind } from '../collider/materialKind.js';
+import { alphaCut } from '../collider/materialKind.js';
 import { CollisionNodeMaterial } from './CollisionNodeMaterial.js';
 import { DerivedNodeMaterial } from './derivedNodeMaterial.js';
 import type { TexelUniforms } from './surfaceTexel.js';
 
-/** One of the user's that has a collision material of its own. */
-interface Derived {
-  readonly material: DerivedNodeMaterial;
+/** What is kept for one of the user's. */
+interface Worn {
+  /** Its own collision material; null of plain ones. */
+  derived: DerivedNodeMaterial | null;
   /** Lets go of the user's. */
   readonly release: () => void;
 }
@@ -26,7 +34,8 @@ export class NodeCollisionMaterials {
   readonly #settings: CubeColliderSettings;
   readonly #uniforms: TexelUniforms;
   readonly #bySide = new Map<Side, CollisionNodeMaterial>();
-  readonly #derived = new Map<Material, Derived>();
+  readonly #worn = new Map<Material, Worn>();
+  readonly #disposed: (source: Material) => void;
   /** For groups that are no obstacle, or have no material. */
   readonly #nothing = new NodeMaterial();
   readonly #arrays: Record<Solidity, WeakMap<Material[], Material[]>> = {
@@ -35,9 +44,11 @@ export class NodeCollisionMaterials {
     all: new WeakMap(),
   };
 
-  constructor(settings: CubeColliderSettings) {
+  /** @param disposed told of each of the user's that was drawn and is disposed of */
+  constructor(settings: CubeColliderSettings, disposed: (source: Material) => void) {
     const { resolution, supersample, far, output, rMin, rMax } = settings;
     this.#settings = settings;
+    this.#disposed = disposed;
     this.#nothing.visible = false;
     this.#uniforms = {
       key: `CubeCollider ${nextKey++}`,
@@ -72,30 +83,33 @@ export class NodeCollisionMaterials {
   dispose(): void {
     for (const material of this.#bySide.values()) material.dispose();
     this.#bySide.clear();
-    for (const source of this.#derived.keys()) this.#drop(source);
+    for (const source of this.#worn.keys()) this.#drop(source);
     this.#nothing.dispose();
   }
 
   #of(source: Material): Material {
+    let worn = this.#worn.get(source);
+    if (worn === undefined) this.#worn.set(source, (worn = this.#wear(source)));
     if (!needsOwn(source)) return this.#ofSide(source.side);
-    let derived = this.#derived.get(source);
-    if (derived === undefined) this.#derived.set(source, (derived = this.#derive(source)));
-    derived.material.follow(this.#settings.sides);
-    return derived.material;
+    worn.derived ??= new DerivedNodeMaterial(source, this.#uniforms, this.#settings.near);
+    worn.derived.follow(this.#settings.sides);
+    return worn.derived;
   }
 
-  #derive(source: Material): Derived {
-    const material = new DerivedNodeMaterial(source, this.#uniforms, this.#settings.near);
-    const onDispose = () => this.#drop(source);
+  #wear(source: Material): Worn {
+    const onDispose = () => {
+      this.#drop(source);
+      this.#disposed(source);
+    };
     source.addEventListener('dispose', onDispose);
-    return { material, release: () => source.removeEventListener('dispose', onDispose) };
+    return { derived: null, release: () => source.removeEventListener('dispose', onDispose) };
   }
 
   #drop(source: Material): void {
-    const derived = this.#derived.get(source)!;
-    this.#derived.delete(source);
-    derived.release();
-    derived.material.dispose();
+    const worn = this.#worn.get(source)!;
+    this.#worn.delete(source);
+    worn.release();
+    worn.derived?.dispose();
   }
 
   #ofSide(side: Side): CollisionNodeMaterial {
@@ -109,10 +123,18 @@ export class NodeCollisionMaterials {
   }
 }
 
+/** The nodes that may move vertices or discard fragments. */
+const TRICKS = [
+  ...['positionNode', 'vertexNode', 'geometryNode', 'depthNode', 'maskNode', 'alphaTestNode'],
+  ...['colorNode', 'opacityNode', 'outputNode', 'fragmentNode'],
+] as const; // prettier-ignore
+
+type AnyMaterial = Material & Partial<Record<(typeof TRICKS)[number], unknown>>;
+
 /** May it move vertices or cut holes, as three's node renderer draws it? */
-function needsOwn(source: Material & { isNodeMaterial?: boolean }): boolean {
-  if (source.isNodeMaterial === true) return true;
+function needsOwn(source: AnyMaterial): boolean {
+  if (alphaCut(source) > 0 || (source as MeshStandardMaterial).displacementMap) return true;
+  for (const name of TRICKS) if (source[name]) return true;
   // Shaders in GLSL and hooks into them are not run there.
-  const kind = materialKind(source);
-  return kind === 'cut' || (kind === 'shader' && alphaCut(source) > 0);
+  return false;
 }

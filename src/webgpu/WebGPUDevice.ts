@@ -9,6 +9,7 @@ import type { Solidity } from '../collider/isSolid.js';
 import { type AxisReduction, ComputedAxisReduction, DrawnAxisReduction } from './AxisReduction.js';
 import { backendOf } from './backendOf.js';
 import { ClippedScenery } from './ClippedScenery.js';
+import { DrawnProxies } from './DrawnProxies.js';
 import { NearestQuad } from './NearestQuad.js';
 import { NodeCollisionMaterials } from './NodeCollisionMaterials.js';
 import { NodeRendererState } from './NodeRendererState.js';
@@ -32,6 +33,7 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
   readonly #resolution: number;
   readonly #state = new NodeRendererState();
   readonly #clipped = new ClippedScenery();
+  readonly #proxies = new DrawnProxies();
   readonly #reads: TexelReads;
   readonly #lost: () => void;
   #compiling: Promise<unknown> | null = null;
@@ -49,7 +51,7 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
     this.#drawn = createFloatTarget(width, height, true);
     this.#nearest = new NearestQuad(resolution, supersample, this.#drawn, device !== undefined);
     this.#cameras = new FaceCameras(fine, near, far);
-    this.#materials = new NodeCollisionMaterials(settings);
+    this.#materials = new NodeCollisionMaterials(settings, (source) => this.#proxies.free(source));
     this.#axis = output === 'axis' ? createReduction(resolution, this.atlas, device) : null;
     this.#resolution = resolution;
     this.#reads = createReads(renderer, this.#axis?.result ?? this.atlas, client);
@@ -160,10 +162,12 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
     this.#nearest.dispose();
     this.#axis?.dispose();
     this.#materials.dispose();
+    this.#proxies.clear();
   }
 
   #arrange({ scene, select }: Scenery): void {
     const proxies = select();
+    this.#proxies.note(proxies);
     for (const proxy of proxies) giveOwnSkeleton(proxy);
     scene.children = this.#clipped.arrange(proxies);
     // The clear colour, which is ours here.

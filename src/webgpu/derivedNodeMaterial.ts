@@ -1,4 +1,4 @@
-import { vec4 } from 'three/tsl';
+import { property, varying, vec3, vec4 } from 'three/tsl';
 import {
   DoubleSide,
   type Material,
@@ -47,7 +47,7 @@ export class DerivedNodeMaterial extends CollisionNodeMaterial {
   readonly #source: Source;
   #version = -1;
   #names: string[] = [];
-  #vertexNode: unknown = null;
+  #vertexNode: Node<'vec4'> | null = null;
 
   constructor(source: Material, uniforms: TexelUniforms, near: number) {
     super(uniforms, near);
@@ -89,15 +89,34 @@ export class DerivedNodeMaterial extends CollisionNodeMaterial {
     if (drawn !== this.side) this.needsUpdate = true;
     this.side = drawn;
     if (vertexNode === this.#vertexNode) return;
-    this.#vertexNode = vertexNode;
+    this.#vertexNode = vertexNode as Node<'vec4'> | null;
     this.vertexNode = vertexNode === null ? null : this.nudge(vec4(vertexNode as Node<'vec4'>));
+  }
+
+  /** Two of the same nodes share a program; those that we only run are not among ours. */
+  override customProgramCacheKey(): string {
+    const { fragmentNode, outputNode } = this.#source;
+    const keys = [fragmentNode, outputNode].map((node) => node?.getCacheKey(true) ?? 0);
+    return `${super.customProgramCacheKey()} ${keys.join(' ')}`;
+  }
+
+  /** The face cameras' projections are of 90° and square: what the user puts out for them is the place itself. */
+  protected override place(): Node<'vec3'> {
+    if (this.#vertexNode === null) return super.place();
+    const clip = vec4(this.#vertexNode);
+    return varying(vec3(clip.xy, clip.w.negate()));
+  }
+
+  override setupDiffuseColor(builder: NodeBuilder): void {
+    // A fragment node stands for all that three makes of a colour, its holes included.
+    if (this.#source.fragmentNode) this.setupTextures(builder);
+    else super.setupDiffuseColor(builder);
   }
 
   protected override setupHoles(builder: NodeBuilder, outputNode: Node<'vec4'>): void {
     super.setupHoles(builder, outputNode);
     const { fragmentNode, outputNode: theirs } = this.#source;
-    for (const node of [theirs, fragmentNode]) {
-      if (node) vec4(node as Node<'vec4'>).toVar();
-    }
+    const node = fragmentNode ?? theirs;
+    if (node) property('vec4', 'unseen').assign(vec4(node as Node<'vec4'>));
   }
 }

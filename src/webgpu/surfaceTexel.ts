@@ -4,7 +4,6 @@ import {
   frontFacing,
   instanceIndex,
   normalize,
-  positionView,
   screenCoordinate,
   uniform,
   varying,
@@ -44,9 +43,15 @@ const frontSign = /* @__PURE__ */ uniform(1).onObjectUpdate(
  * The nodes of one fragment's texel, as `collisionShader.ts` computes it for WebGL: equation (9), the geometric normal,
  * and where the texel's own ray meets the plane. To be built before anything is discarded: derivatives are undefined
  * after.
+ *
+ * @param surface where a fragment's surface is, the face camera's axes
  */
-export function surfaceTexel(builder: NodeBuilder, uniforms: TexelUniforms): Node<'vec4'> {
-  const place = positionView.toVar();
+export function surfaceTexel(
+  builder: NodeBuilder,
+  uniforms: TexelUniforms,
+  surface: Node<'vec3'>,
+): Node<'vec4'> {
+  const place = surface.toVar();
   const away = place.length().toVar();
   const slope = place.dFdx().cross(place.dFdy()).toVar();
   const turn = slope.dot(place).greaterThan(0).select(float(-1), float(1));
