@@ -1,6 +1,7 @@
 import type { NodeCase, NodeReport } from './harness/nodes.js';
 import type { NodeKindName } from './harness/nodeKinds.js';
-import { callInPage, expect, openPage, test } from './support/test.js';
+import type { NodesUntouchedReport } from './harness/nodesUntouched.js';
+import { callInPage, expect, openPage, runInPage, test } from './support/test.js';
 import type { Backend } from './support/rendering.js';
 
 const KINDS: NodeKindName[] = [
@@ -68,5 +69,23 @@ for (const backend of BACKENDS) {
         expect.soft(seen.warnings, kind).toEqual([]);
       });
     }
+  });
+}
+
+for (const backend of BACKENDS) {
+  test(`should leave the user’s frame untouched, ${backend}`, async ({ page }) => {
+    const url = '/e2e/harness/nodesUntouched.ts';
+    const seen = await runInPage<NodesUntouchedReport>(page, url, { backend });
+    console.log(`    ${JSON.stringify(seen)}`);
+    expect(seen.shown).toBeGreaterThan(20_000);
+    expect(seen.moving).toBeGreaterThan(1000);
+    expect(seen.differing).toBe(0);
+    expect(seen.changed).toEqual([]);
+    expect(seen.compared).toBeGreaterThan(100);
+    expect(seen.intercepted).toBe(0);
+    expect(seen.mirrored).toBe(0);
+    expect(seen.reads).toBeGreaterThan(0);
+    expect(seen.floor).toBeLessThan(1e-4);
+    expect(seen.warnings).toEqual([]);
   });
 }

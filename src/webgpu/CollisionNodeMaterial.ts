@@ -54,6 +54,7 @@ export class CollisionNodeMaterial extends NodeMaterial {
   }
 
   override setupObserver(builder: NodeBuilder): NodeMaterialObserver {
+    leaveOutPictures(builder);
     const observer = super.setupObserver(builder);
     // Else three looks for changes in what it knows; our objects' numbers it does not.
     observer.hasNode = true;
@@ -110,4 +111,26 @@ export class CollisionNodeMaterial extends NodeMaterial {
   protected setupHoles(_builder: NodeBuilder, outputNode: Node<'vec4'>): void {
     output.assign(outputNode);
   }
+}
+
+/** What a builder gathers for before and after each draw, which its types do not tell. */
+interface Gathering {
+  buildUpdateNodes(): void;
+  updateBeforeNodes: Node[];
+  updateAfterNodes: Node[];
+}
+
+/**
+ * Mirrors, passes and the like among the user's nodes make a picture of their own before they are drawn: for our eyes
+ * they must not, and nothing solid depends on it. The user's own events are called.
+ */
+function leaveOutPictures(builder: NodeBuilder): void {
+  const gathering = builder as unknown as Gathering;
+  const gather = gathering.buildUpdateNodes;
+  gathering.buildUpdateNodes = () => {
+    gather.call(gathering);
+    const isEvent = ({ type }: Node) => type === 'EventNode';
+    gathering.updateBeforeNodes = gathering.updateBeforeNodes.filter(isEvent);
+    gathering.updateAfterNodes = gathering.updateAfterNodes.filter(isEvent);
+  };
 }
