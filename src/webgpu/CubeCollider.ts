@@ -7,6 +7,7 @@ import {
 } from '../collider/CubeColliderOptions.js';
 import type { CubemapDevice, DeviceClient } from '../collider/CubemapDevice.js';
 import { backendOf } from './backendOf.js';
+import { isLost } from './deviceLoss.js';
 import { WebGPUDevice } from './WebGPUDevice.js';
 
 /** What three keeps of a renderer's state and does not tell in its types. */
@@ -54,10 +55,11 @@ export class CubeCollider extends ColliderBase<WebGPURenderer> {
     }
     if (given?.isRenderer !== true) return 'update(renderer, scene) needs a WebGPURenderer.';
     if (given.initialized === false) return '';
-    if (given._isDeviceLost === true) return 'the renderer has lost its device; give it a new one.';
+    if (given._isDeviceLost === true || isLost(renderer)) {
+      return 'the renderer has lost its device; give it a new one.';
+    }
     const { gl } = backendOf(renderer);
     if (gl === undefined) return null;
-    if (gl.isContextLost()) return 'the renderer has lost its context; give it a new one.';
     return gl.getExtension('EXT_color_buffer_float') !== null
       ? null
       : "this WebGL 2 cannot draw floats; take WebGLRenderer and CubeCollider from 'three-cube-collider'.";

@@ -8,6 +8,7 @@ import { FaceCameras } from '../collider/FaceCameras.js';
 import type { Solidity } from '../collider/isSolid.js';
 import { type AxisReduction, ComputedAxisReduction, DrawnAxisReduction } from './AxisReduction.js';
 import { backendOf } from './backendOf.js';
+import { watchLoss } from './deviceLoss.js';
 import { ClippedScenery } from './ClippedScenery.js';
 import { DrawnProxies } from './DrawnProxies.js';
 import { NearestQuad } from './NearestQuad.js';
@@ -35,9 +36,8 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
   readonly #clipped = new ClippedScenery();
   readonly #proxies = new DrawnProxies();
   readonly #reads: TexelReads;
-  readonly #lost: () => void;
+  readonly #unwatch: () => void;
   #compiling: Promise<unknown> | null = null;
-  #disposed = false;
 
   constructor(
     readonly renderer: WebGPURenderer,
@@ -55,11 +55,7 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
     this.#axis = output === 'axis' ? createReduction(resolution, this.atlas, device) : null;
     this.#resolution = resolution;
     this.#reads = createReads(renderer, this.#axis?.result ?? this.atlas, client);
-    this.#lost = () => {
-      if (!this.#disposed) client.lost();
-    };
-    if (device !== undefined) void device.lost.then(this.#lost);
-    else renderer.domElement.addEventListener('webglcontextlost', this.#lost);
+    this.#unwatch = watchLoss(renderer, () => client.lost());
   }
 
   get atlas(): RenderTarget {
@@ -149,8 +145,7 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
   }
 
   dispose(): void {
-    this.#disposed = true;
-    this.renderer.domElement.removeEventListener('webglcontextlost', this.#lost);
+    this.#unwatch();
     this.#reads.dispose();
     // three still asks for the programs of materials that it is compiling.
     if (this.#compiling !== null) void this.#compiling.finally(() => this.#free());
