@@ -12,7 +12,12 @@ import { main, root, run } from './run.mjs';
 
 /** @typedef {import('../e2e/support/solidRows.js').SolidRow} Row */
 
-const SPECS = ['e2e/kinds.spec.ts', 'e2e/materials.spec.ts', 'e2e/webgpu.spec.ts'];
+const SPECS = [
+  'e2e/kinds.spec.ts',
+  'e2e/materials.spec.ts',
+  'e2e/webgpu.spec.ts',
+  'e2e/nodes.spec.ts',
+];
 /** Columns, each with what its tests measured. @type {NonNullable<Row['backend']>[]} */
 const BACKENDS = ['WebGL2', 'WebGPU', 'fallback'];
 const ROWS = join(root, 'test-results', 'solid');
@@ -92,11 +97,11 @@ const on = (row) => row.backend ?? 'WebGL2';
 /** @param {Row | undefined} row */
 const error = (row) => (row === undefined ? '' : (1000 * row.worst).toFixed(2));
 
-/** One number if all backends say the same, else each its own. @param {Row[]} rows @param {(row: Row) => number} of */
+/** One number if all backends say the same, else each its own. @param {Row[]} rows @param {(row: Row) => number | undefined} of */
 function each(rows, of) {
   const sorted = BACKENDS.flatMap((backend) => rows.filter((row) => on(row) === backend));
   const all = sorted.map(of);
-  return new Set(all).size === 1 ? all[0] : all.join(', ');
+  return new Set(all).size === 1 ? (all[0] ?? '') : all.join(', ');
 }
 
 /** The rows of each kind. @param {Row[]} rows */

@@ -11,7 +11,7 @@ export interface SolidRow {
   worst: number;
   texels: number;
   /** Draw calls and programs that one cubemap of it alone takes. */
-  draws: number;
+  draws?: number;
   programs: number;
   note?: string;
 }

@@ -38,6 +38,7 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
   readonly #reads: TexelReads;
   readonly #unwatch: () => void;
   #compiling: Promise<unknown> | null = null;
+  #disposed = false;
 
   constructor(
     readonly renderer: WebGPURenderer,
@@ -145,6 +146,7 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
   }
 
   dispose(): void {
+    this.#disposed = true;
     this.#unwatch();
     this.#reads.dispose();
     // three still asks for the programs of materials that it is compiling.
