@@ -28,6 +28,11 @@ export const TOUCH = 0.005;
 const CLOSE = 1e-4;
 /** A way along a wall shorter than this part of the wish is not made: pressing on, one stands. */
 const LEAST_SLIDE = 0.06;
+/**
+ * What gives way to a walker by less than this to the side, once it follows the ground (a part of its normal), holds it
+ * up: aside it would have to go far for what is but a little too near, or into the wall there.
+ */
+const HOLDS_UP = 0.5;
 /** Radius of what feels for ground below an edge, as a part of the body's: texels hidden behind the edge leave gaps. */
 const FEELER_RATIO = 0.4;
 /** Parts of the axis that must be known-free: no farther apart than this, metres. */
@@ -268,6 +273,9 @@ export class SlideResponse {
         slopeX = normal[3 * ground]! / up;
         slopeZ = normal[3 * ground + 2]! / up;
         rise = (skin - gap[ground]!) / up;
+        this.#put(slopeX, 0, slopeZ);
+        const hold = this.#highestHold(limits);
+        if (hold >= 0) rise = Math.max(rise, (skin - gap[hold]!) / normal[3 * hold + 1]!);
       }
       this.#planes.clear();
       for (let i = 0; i < count; i++) {
@@ -292,6 +300,28 @@ export class SlideResponse {
       d.y = ground >= 0 ? rise - slopeX * d.x - slopeZ * d.z : 0;
       if (ground === this.#highestSupport(d.x, d.z, limits)) break;
     }
+  }
+
+  /**
+   * The contact of `#ahead` that holds the body up highest, where it is and on ground that slopes like `#way`, among those
+   * that do not carry but lean too much like the ground to be walls; -1 without any.
+   */
+  #highestHold(limits: SlideLimits): number {
+    const { normal, gap, count } = this.#ahead;
+    const { x: slopeX, z: slopeZ } = this.#way;
+    let best = -1;
+    let highest = -Infinity;
+    for (let i = 0; i < count; i++) {
+      const ny = normal[3 * i + 1]!;
+      if (ny < HOLDS_UP || this.carries(this.#ahead, i, limits)) continue;
+      const nx = normal[3 * i]! - ny * slopeX;
+      const nz = normal[3 * i + 2]! - ny * slopeZ;
+      const y = (limits.skin - gap[i]!) / ny;
+      if (nx * nx + nz * nz > HOLDS_UP * HOLDS_UP || y <= highest) continue;
+      highest = y;
+      best = i;
+    }
+    return best;
   }
 
   /** Leaves of a slide only what pushes out of walls. */
