@@ -26,6 +26,8 @@ export const HELP = `npm run walk -- [options]
   --trace file.csv      keep every frame's foot, ground and penetration
   --from file           tell the results of an earlier run instead of walking; of several, if repeated
   --markdown file       write the tables between its marks <!-- walk:begin --> and <!-- walk:end -->
+  --marks walk          other marks
+  --only cube,mesh-bvh  with --markdown: whom the tables tell of (default: all)
   --chart file.svg      draw the distributions of the penetrations`;
 
 /** The command line of `npm run walk`. */
@@ -51,6 +53,8 @@ export function readOptions() {
       trace: { type: 'string' },
       from: { type: 'string', multiple: true },
       markdown: { type: 'string' },
+      marks: { type: 'string', default: 'walk' },
+      only: { type: 'string' },
       chart: { type: 'string' },
     },
     allowNegative: true,

@@ -111,8 +111,12 @@ await main(async () => {
     writeFileSync(options.trace, 'level,mover,hz,late,frame,x,y,z,grounded,penetration\n');
   }
   const results = options.from ? readResults(options.from) : await walkAll(options);
+  const movers = options.only?.split(',');
+  for (const level of movers === undefined ? [] : results.levels) {
+    level.rows = level.rows.filter((/** @type {any} */ { mover }) => movers?.includes(mover));
+  }
   const text = tables(results);
   console.log(text);
-  if (options.markdown) await writeBetweenMarks(options.markdown, 'walk', text);
+  if (options.markdown) await writeBetweenMarks(options.markdown, options.marks, text);
   if (options.chart) writeFileSync(options.chart, await drawChart(results));
 });
