@@ -1,11 +1,33 @@
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
+import type { Page } from '@playwright/test';
 import { expect, test } from './support/test.js';
 
 const readme = await readFile('README.md', 'utf8');
 
+const quickStart = /<!-- quick start.*?-->\s*```js\n(.*?)```/s.exec(readme)![1]!;
+
 test('@three the quick start of README should run as it stands, and walk', async ({ page }) => {
-  const code = /<!-- quick start.*?-->\s*```js\n(.*?)```/s.exec(readme)![1]!;
-  expect(code.trimEnd().split('\n').length).toBeLessThanOrEqual(25);
+  expect(quickStart.trimEnd().split('\n').length).toBeLessThanOrEqual(25);
+  await walk(page, quickStart);
+});
+
+test('it should walk with WebGPURenderer, changed as README says', async ({ page }) => {
+  const [, diff] = /```diff\n(.*?)```/s.exec(readme)!;
+  const lines = diff!.trimEnd().split('\n');
+  let code = quickStart;
+  for (let i = 0; i < lines.length; i += 2) {
+    expect(code).toContain(lines[i]!.slice(1));
+    code = code.replace(lines[i]!.slice(1), lines[i + 1]!.slice(1));
+  }
+  // On the fallback: a headless browser shows no picture of WebGPU's.
+  code = code.replace(
+    'new WebGLRenderer({ antialias: true })',
+    'new WebGPURenderer({ antialias: true, forceWebGL: true })',
+  );
+  await walk(page, code);
+});
+
+async function walk(page: Page, code: string): Promise<void> {
   await mkdir('.cache', { recursive: true });
   await writeFile('.cache/quickstart.js', code);
   await page.route('**/quickstart.html', (route) =>
@@ -45,4 +67,4 @@ test('@three the quick start of README should run as it stands, and walk', async
   await page.keyboard.up('KeyW');
   // It stops elsewhere than it began.
   expect(await rest()).not.toBe(before);
-});
+}
