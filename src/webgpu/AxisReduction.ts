@@ -24,7 +24,6 @@ import {
   type WebGPURenderer,
 } from 'three/webgpu';
 import { ATLAS_COLUMNS } from '../cube/atlas.js';
-import { type CompileJob, compileQuad } from './NearestQuad.js';
 import { createFloatTarget } from './texelTargets.js';
 
 /**
@@ -36,8 +35,6 @@ export interface AxisReduction {
   readonly result: RenderTarget | StorageBufferAttribute;
   /** Finds the six anew. */
   reduce(renderer: WebGPURenderer): void;
-  /** What makes its programs ready before the first frame. */
-  jobs(renderer: WebGPURenderer): CompileJob[];
   dispose(): void;
 }
 
@@ -121,11 +118,6 @@ export class ComputedAxisReduction implements AxisReduction {
     renderer.compute(this.#compute);
   }
 
-  /** three compiles what it computes when it does so first. */
-  jobs(): CompileJob[] {
-    return [];
-  }
-
   dispose(): void {
     this.#compute.dispose();
   }
@@ -159,14 +151,6 @@ export class DrawnAxisReduction implements AxisReduction {
       renderer.setRenderTarget(target);
       quad.render(renderer);
     }
-  }
-
-  jobs(renderer: WebGPURenderer): CompileJob[] {
-    return this.#passes.map(
-      ({ quad, target }) =>
-        () =>
-          compileQuad(renderer, quad, target),
-    );
   }
 
   dispose(): void {

@@ -11,19 +11,6 @@ import { atlasSize } from '../cube/atlas.js';
 import { PLACES } from '../cube/finerTexel.js';
 import { createFloatTarget } from './texelTargets.js';
 
-/** Begins to compile something; the renderer's state counts while it is called, not afterwards. */
-export type CompileJob = () => Promise<void>;
-
-/** @param target what it is drawn into */
-export function compileQuad(
-  renderer: WebGPURenderer,
-  quad: QuadMesh,
-  target: RenderTarget,
-): Promise<void> {
-  renderer.setRenderTarget(target);
-  return renderer.compileAsync(quad, quad.camera) as Promise<void>;
-}
-
 /**
  * Makes of the drawn atlas the one that is read, in the order in which the decoder reads it (bottom row first): of each
  * block of finer texels the nearest, whole, with its place in the block. See `NearestPass`, which does it for WebGL.
@@ -54,11 +41,6 @@ export class NearestQuad {
   reduce(renderer: WebGPURenderer): void {
     renderer.setRenderTarget(this.result);
     this.#quad.render(renderer);
-  }
-
-  /** What makes its program ready before the first frame. */
-  jobs(renderer: WebGPURenderer): CompileJob[] {
-    return [() => compileQuad(renderer, this.#quad, this.result)];
   }
 
   dispose(): void {

@@ -37,8 +37,6 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
   readonly #proxies = new DrawnProxies();
   readonly #reads: TexelReads;
   readonly #unwatch: () => void;
-  #compiling: Promise<unknown> | null = null;
-  #disposed = false;
 
   constructor(
     readonly renderer: WebGPURenderer,
@@ -80,23 +78,10 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
   }
 
   draw(scenery: Scenery, center: Vector3, far: number, drawn: (calls: number) => void): void {
-    const { renderer } = this;
     this.#cameras.moveTo(center);
     this.#cameras.reach(far);
     this.#materials.far = far;
-    this.#state.enter(renderer);
-    try {
-      this.#arrange(scenery);
-      renderer.setRenderTarget(this.#drawn);
-      const before = renderer.info.render.drawCalls;
-      renderer.render(scenery.scene, this.#cameras);
-      const calls = renderer.info.render.drawCalls - before;
-      this.#nearest.reduce(renderer);
-      this.#axis?.reduce(renderer);
-      drawn(calls);
-    } finally {
-      this.#state.leave(renderer);
-    }
+    this.#draw(scenery, drawn);
   }
 
   start(stamp: DrawStamp): void {
@@ -119,47 +104,41 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
     }
   }
 
+  /**
+   * By drawing it once. three's `compileAsync` goes on under whatever state the user's renderer has then, so that its
+   * programs are others, and fails where the user's own is under way.
+   */
   async compile(scenery: Scenery): Promise<boolean> {
-    const { renderer } = this;
-    const jobs = [
-      () => {
-        this.#arrange(scenery);
-        renderer.setRenderTarget(this.#drawn);
-        return renderer.compileAsync(scenery.scene, this.#cameras);
-      },
-      ...this.#nearest.jobs(renderer),
-      ...(this.#axis?.jobs(renderer) ?? []),
-    ];
-    // One after the other: three keeps the state of one only.
-    for (const job of jobs) {
-      if (this.#disposed) break;
-      this.#state.enter(renderer);
-      try {
-        this.#compiling = job();
-      } finally {
-        this.#state.leave(renderer);
-      }
-      await this.#compiling;
-      this.#compiling = null;
-    }
+    this.#draw(scenery, () => {});
+    await backendOf(this.renderer).device?.queue.onSubmittedWorkDone();
     return false;
   }
 
   dispose(): void {
-    this.#disposed = true;
     this.#unwatch();
     this.#reads.dispose();
-    // three still asks for the programs of materials that it is compiling.
-    if (this.#compiling !== null) void this.#compiling.finally(() => this.#free());
-    else this.#free();
-  }
-
-  #free(): void {
     this.#drawn.dispose();
     this.#nearest.dispose();
     this.#axis?.dispose();
     this.#materials.dispose();
     this.#proxies.clear();
+  }
+
+  #draw(scenery: Scenery, drawn: (calls: number) => void): void {
+    const { renderer } = this;
+    this.#state.enter(renderer);
+    try {
+      this.#arrange(scenery);
+      renderer.setRenderTarget(this.#drawn);
+      const before = renderer.info.render.drawCalls;
+      renderer.render(scenery.scene, this.#cameras);
+      const calls = renderer.info.render.drawCalls - before;
+      this.#nearest.reduce(renderer);
+      this.#axis?.reduce(renderer);
+      drawn(calls);
+    } finally {
+      this.#state.leave(renderer);
+    }
   }
 
   #arrange({ scene, select }: Scenery): void {
