@@ -73,6 +73,22 @@ test.describe('walking', () => {
     }
   });
 
+  test('walks into the hall with ?renderer=webgpu, and says so', async ({ page }) => {
+    // `window.demo` comes once the renderer is there.
+    await page.goto('/demo/index.html?dpr=1&renderer=webgpu&place=hall');
+    await page.waitForFunction(() => window.demo !== undefined);
+    await page.evaluate(() => window.demo.ready);
+    await page.getByRole('button', { name: 'Click to walk' }).click();
+    const row = page.locator('.lil-gui .controller', { hasText: 'drawn by' });
+    await expect(row.locator('input')).toHaveValue('WebGPU');
+    const [, , start] = await foot(page);
+    await page.keyboard.down('KeyW');
+    await page.evaluate(() => window.demo.step(15));
+    await page.keyboard.up('KeyW');
+    const [, , z] = await foot(page);
+    expect(z! - start!).toBeGreaterThan(0.4);
+  });
+
   test('falls into the pit and comes back at the start', async ({ page }) => {
     await open(page, 'ui=0');
     // From just before its edge, backward.
