@@ -26,13 +26,20 @@ export default tseslint.config(
     { files: ['src/character/**'], away: ['collider', 'controls', 'helpers'] },
     { files: ['src/collider/**'], away: ['character', 'controls', 'helpers'] },
     { files: ['src/controls/**'], away: ['collider', 'helpers'] },
-  ].map(({ files, away }) => ({
+    {
+      files: ['src/webgpu/*.ts'],
+      ignores: ['src/webgpu/index.ts'],
+      away: ['character', 'controls', 'helpers'],
+      three: ['three/addons/*'],
+    },
+  ].map(({ files, ignores = [], away, three = ['three/*'] }) => ({
+    ignores,
     files,
     rules: {
       'no-restricted-imports': [
         'error',
         {
-          patterns: [...away.map((folder) => `**/${folder}/*`), 'three/*'].map((group) => ({
+          patterns: [...away.map((folder) => `**/${folder}/*`), ...three].map((group) => ({
             group: [group],
           })),
         },

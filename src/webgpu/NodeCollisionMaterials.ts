@@ -11,7 +11,7 @@ import type { CubeColliderSettings } from '../collider/CubeColliderOptions.js';
 import { isSolid, type Solidity } from '../collider/isSolid.js';
 import { alphaCut } from '../collider/materialKind.js';
 import { CollisionNodeMaterial } from './CollisionNodeMaterial.js';
-import { DerivedNodeMaterial } from './derivedNodeMaterial.js';
+import { DerivedNodeMaterial } from './DerivedNodeMaterial.js';
 import type { TexelUniforms } from './surfaceTexel.js';
 
 /** What is kept for one of the user's. */
