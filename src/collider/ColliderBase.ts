@@ -259,6 +259,7 @@ export abstract class ColliderBase<Renderer> extends Object3D {
     this.#center.copy(center);
     this.#selectReach = Infinity;
     const compiled = gpu.compile(this.#scenery);
+    this.#selected = null;
     this.#selection.clear();
     return compiled;
   }
@@ -296,6 +297,7 @@ export abstract class ColliderBase<Renderer> extends Object3D {
     this.#center.copy(center);
     this.#selectReach = this.#reach;
     gpu.draw(this.#scenery, this.#center, this.#far, this.#drawn);
+    this.#selected = null;
   }
 
   #afterDraw(calls: number): void {
@@ -402,6 +404,7 @@ export abstract class ColliderBase<Renderer> extends Object3D {
   /** Lets go of all that is on a GPU: disposed, another renderer, or the context lost (the next update begins anew). */
   readonly #release = (): void => {
     this.invalidate();
+    this.#selected = null;
     this.#selection.clear();
     this.#survey.clear();
     this.#index.clear();
