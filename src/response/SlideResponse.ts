@@ -273,7 +273,8 @@ export class SlideResponse {
         slopeX = normal[3 * ground]! / up;
         slopeZ = normal[3 * ground + 2]! / up;
         rise = (skin - gap[ground]!) / up;
-        this.#put(slopeX, 0, slopeZ);
+        this.#way.x = slopeX;
+        this.#way.z = slopeZ;
         const hold = this.#highestHold(limits);
         if (hold >= 0) rise = Math.max(rise, (skin - gap[hold]!) / normal[3 * hold + 1]!);
       }
@@ -290,7 +291,12 @@ export class SlideResponse {
           this.slack = Math.max(this.slack, bound / 2);
           continue;
         }
-        this.#planes.add(nx / length, 0, nz / length, bound / length);
+        const { next } = this.#planes;
+        next[0] = nx / length;
+        next[1] = 0;
+        next[2] = nz / length;
+        next[3] = bound / length;
+        this.#planes.addNext();
       }
       d.x = dx;
       d.y = 0;

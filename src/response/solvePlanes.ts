@@ -12,20 +12,34 @@ export class Planes {
     this.count = 0;
   }
 
+  /** What `addNext` adds: x, y, z, bound. */
+  readonly next = new Float64Array(4);
+
   /** Adds one; of too many the least urgent, the one with the lowest bound, is dropped. */
   add(x: number, y: number, z: number, bound: number): void {
+    const { next } = this;
+    next[0] = x;
+    next[1] = y;
+    next[2] = z;
+    next[3] = bound;
+    this.addNext();
+  }
+
+  /** The same, of `next`: fractions handed over as arguments are objects on the heap where a call is not inlined. */
+  addNext(): void {
+    const { next } = this;
     let slot = this.count;
     if (slot === MOST_PLANES) {
       slot = 0;
       for (let i = 1; i < MOST_PLANES; i++) if (this.bound[i]! < this.bound[slot]!) slot = i;
-      if (this.bound[slot]! >= bound) return;
+      if (this.bound[slot]! >= next[3]!) return;
     } else {
       this.count++;
     }
-    this.normal[3 * slot] = x;
-    this.normal[3 * slot + 1] = y;
-    this.normal[3 * slot + 2] = z;
-    this.bound[slot] = bound;
+    this.normal[3 * slot] = next[0]!;
+    this.normal[3 * slot + 1] = next[1]!;
+    this.normal[3 * slot + 2] = next[2]!;
+    this.bound[slot] = next[3]!;
   }
 }
 
