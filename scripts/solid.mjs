@@ -92,10 +92,14 @@ function tablesOf(rows) {
 }
 
 /** @param {Row} row */
-const on = (row) => row.backend ?? 'WebGL2';
+function on(row) {
+  return row.backend ?? 'WebGL2';
+}
 
 /** @param {Row | undefined} row */
-const error = (row) => (row === undefined ? '' : (1000 * row.worst).toFixed(2));
+function error(row) {
+  return row === undefined ? '' : (1000 * row.worst).toFixed(2);
+}
 
 /** One number if all backends say the same, else each its own. @param {Row[]} rows @param {(row: Row) => number | undefined} of */
 function each(rows, of) {
