@@ -13,6 +13,8 @@ export interface TexelReads {
   readonly free: boolean;
   /** Starts to read what was just drawn into the target. */
   start(stamp: DrawStamp): void;
+  /** Reads it at once, waiting for the GPU; null where that cannot be done. */
+  readonly readNow: (() => void) | null;
   finish(): DrawStamp | null;
   drop(): void;
   dispose(): void;
@@ -30,6 +32,7 @@ export function createReads(
 
 /** WebGPU: never blocks. */
 class MappedReads implements TexelReads {
+  readonly readNow = null;
   readonly data: Float32Array;
   readonly #ring: MappedRing;
   readonly #source: () => GPUTexture | GPUBuffer;
@@ -109,13 +112,12 @@ class FallbackReads implements TexelReads {
   }
 
   start(stamp: DrawStamp): void {
-    const { gl, state } = backendOf(this.#renderer) as Required<ReturnType<typeof backendOf>>;
-    // By three's own hand: it remembers what is bound.
-    state.bindFramebuffer(gl.READ_FRAMEBUFFER, this.#attached(gl, state));
-    this.#ring.start(stamp);
-    state.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+    this.#read(() => this.#ring.start(stamp));
     this.#scheduler.wait(this.#waiting);
   }
+
+  /** On a page that keeps its GPU busy the queue never drains, and no read would ever come. */
+  readonly readNow = (): void => this.#read(() => this.#ring.readNow());
 
   finish(): DrawStamp | null {
     return this.#ring.finish();
@@ -130,6 +132,14 @@ class FallbackReads implements TexelReads {
     this.drop();
     this.#ring.dispose();
     backendOf(this.#renderer).gl!.deleteFramebuffer(this.#framebuffer);
+  }
+
+  #read(read: () => void): void {
+    const { gl, state } = backendOf(this.#renderer) as Required<ReturnType<typeof backendOf>>;
+    // By three's own hand: it remembers what is bound.
+    state.bindFramebuffer(gl.READ_FRAMEBUFFER, this.#attached(gl, state));
+    read();
+    state.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
   }
 
   #attached(

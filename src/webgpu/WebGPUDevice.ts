@@ -23,7 +23,6 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
   /** In the paper's mode too: its reds have the steps of 8 bits. */
   readonly format = 'RGBA32F';
   readonly ids = null;
-  readonly readNow = null;
   /** What scenery is drawn into; its rows count downward. */
   readonly #drawn: RenderTarget;
   readonly #cameras: FaceCameras;
@@ -67,6 +66,10 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
 
   get inFlight(): number {
     return this.#reads.inFlight;
+  }
+
+  get readNow(): (() => void) | null {
+    return this.#reads.readNow;
   }
 
   get free(): boolean {
