@@ -38,7 +38,7 @@ export interface NodeReport {
   seconds: number;
 }
 
-/** One for all kinds of a page: what one leaves the next would see. */
+/** Of one kind alone: a page's renderers go with each test. */
 interface Stage {
   readonly rendering: Rendering;
   readonly collider: CubeCollider;
@@ -47,8 +47,6 @@ interface Stage {
   readonly camera: PerspectiveCamera;
   readonly target: RenderTarget;
 }
-
-let stage: Promise<Stage> | null = null;
 
 async function createStage(backend: Backend): Promise<Stage> {
   const rendering = await createRendering(backend);
@@ -90,8 +88,10 @@ export default async function nodes({ backend, kind: name }: NodeCase): Promise<
   const { warn } = console;
   console.warn = (...words: unknown[]) => warnings.push(words.join(' '));
   try {
-    const made = await (stage ??= createStage(backend));
-    const report = await see(made, name);
+    const stage = await createStage(backend);
+    const report = await see(stage, name);
+    stage.collider.dispose();
+    stage.rendering.renderer.dispose();
     return { ...report, warnings, seconds: (performance.now() - start) / 1000 };
   } finally {
     console.warn = warn;

@@ -1,21 +1,13 @@
-import {
-  FloatType,
-  HalfFloatType,
-  NearestFilter,
-  NoColorSpace,
-  RenderTarget,
-  RGBAFormat,
-} from 'three/webgpu';
+import { FloatType, NearestFilter, NoColorSpace, RenderTarget, RGBAFormat } from 'three/webgpu';
 
 /** A target of plain float texels: nearest, no mipmaps, no antialiasing. */
 export function createFloatTarget(
   width: number,
   height: number,
   depthBuffer: boolean,
-  half = false,
 ): RenderTarget {
   return new RenderTarget(width, height, {
-    type: half ? HalfFloatType : FloatType,
+    type: FloatType,
     format: RGBAFormat,
     colorSpace: NoColorSpace,
     minFilter: NearestFilter,
