@@ -1,11 +1,16 @@
-// What a read-back costs the page: `npm run bench:readback [-- --frames 200 --json file]`. Reproduces the table in
-// docs/architecture.md, "The read-back", with the product's own code.
+// What a read-back costs the page, with the product's own code:
+// `npm run bench:readback [-- --frames 150 --json file --markdown docs/architecture.md]`.
 import { writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { openPage, quantile, show } from './page.mjs';
+import { writeBetweenMarks } from './walk/table.mjs';
 
 const { values } = parseArgs({
-  options: { frames: { type: 'string', default: '150' }, json: { type: 'string' } },
+  options: {
+    frames: { type: 'string', default: '150' },
+    json: { type: 'string' },
+    markdown: { type: 'string' },
+  },
 });
 const LOADS = { light: 3, 'just GPU-bound': 9, 'badly GPU-bound': 40 };
 const MODES = {
@@ -22,21 +27,25 @@ const moduleOf = (mode) =>
 
 const { run, machine, close } = await openPage();
 const results = [];
-console.log(machine);
-console.log(
-  '\n| page | read-back | blocked a read, ms: median (p95) | reads a frame (of them waited for) | draw to field, ms | frame, ms |',
-);
-console.log('| --- | --- | --- | --- | --- | --- |');
+const lines = [
+  `${machine}.`,
+  '',
+  '| page | read-back | blocked a read, ms: median (p95) | reads a frame (of them waited for) | draw to field, ms | frame, ms |',
+  '| --- | --- | --- | --- | --- | --- |',
+];
+console.log(lines.join('\n'));
 for (const [page, load] of Object.entries(LOADS)) {
   for (const mode of Object.keys(MODES)) {
     const result = await run(moduleOf(mode), { mode, load, frames: Number(values.frames) });
     results.push({ page, ...result });
     const { blocked, latency, frame } = result;
-    console.log(
+    const line =
       `| ${page} (${load} ms) | ${MODES[mode]} | ${show(quantile(blocked, 0.5))} (${show(quantile(blocked, 0.95))}) ` +
-        `| ${(blocked.length / frame.length).toFixed(2)} (${result.forced}) | ${show(quantile(latency, 0.5))} | ${show(quantile(frame, 0.5))} |`,
-    );
+      `| ${(blocked.length / frame.length).toFixed(2)} (${result.forced}) | ${show(quantile(latency, 0.5))} | ${show(quantile(frame, 0.5))} |`;
+    lines.push(line);
+    console.log(line);
   }
 }
-if (values.json) writeFileSync(values.json, JSON.stringify(results, null, 1));
 await close();
+if (values.json) writeFileSync(values.json, JSON.stringify(results, null, 1));
+if (values.markdown) await writeBetweenMarks(values.markdown, 'readback', lines.join('\n'));

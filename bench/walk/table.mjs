@@ -51,9 +51,8 @@ const COLUMNS = [
   ['drift at rest, mm', (row) => fixed(1000 * row.rest.drift, 2)],
 ];
 
-/** @type {[string, (rows: Row[], level: { rows: Row[] }) => unknown][]} of all walks of a mover: the worst */
+/** @type {[string, (rows: Row[], level: { rows: Row[] }) => unknown][]} of all walks of a mover: the worst, a line each */
 const WORST = [
-  ['worst of all its walks', ([row]) => nameOf(row)],
   ['penetration p99, mm', (rows) => millimetres(most(rows, (row) => row.penetration.p99))],
   ['max, mm', (rows) => millimetres(most(rows, (row) => row.penetration.max))],
   ['crossed', (rows) => sum(rows, (row) => row.crossed)],
@@ -66,7 +65,7 @@ const WORST = [
 ];
 
 /**
- * Two tables a level: the worst of each mover, then every walk.
+ * Two tables a level: the worst of each mover, a column each, then every walk, a line each.
  *
  * @param {{ machine: string, versions: Record<string, string>, seed: number, levels: any[] }} results
  */
@@ -81,7 +80,8 @@ export function tables(results) {
     const worst = [...names].map((name) =>
       level.rows.filter((/** @type {Row} */ row) => nameOf(row) === name),
     );
-    lines.push(...table(WORST, worst, level), '', ...table(COLUMNS, level.rows, level));
+    lines.push(...columns(WORST, [...names], worst, level));
+    lines.push('', ...table(COLUMNS, level.rows, level));
   }
   return lines.join('\n');
 }
@@ -97,6 +97,22 @@ function table(columns, items, level) {
     `| ${columns.map(([name]) => name).join(' | ')} |`,
     `| ${columns.map((_, i) => (i === 0 ? '---' : '--:')).join(' | ')} |`,
     ...items.map((item) => `| ${columns.map(([, cell]) => cell(item, level)).join(' | ')} |`),
+  ];
+}
+
+/**
+ * @param {[string, (rows: Row[], level: any) => unknown][]} lines
+ * @param {string[]} names a column each
+ * @param {Row[][]} walks of each
+ * @param {any} level
+ */
+function columns(lines, names, walks, level) {
+  return [
+    `| worst of all its walks | ${names.join(' | ')} |`,
+    `| --- | ${names.map(() => '--:').join(' | ')} |`,
+    ...lines.map(
+      ([name, cell]) => `| ${name} | ${walks.map((rows) => cell(rows, level)).join(' | ')} |`,
+    ),
   ];
 }
 
