@@ -30,11 +30,11 @@ async function whereItStops(page: Page): Promise<number[]> {
     for (let still = 0; still < 6;) {
       const frame = demo.renderer.info.render.frame;
       while (demo.renderer.info.render.frame === frame) await new Promise(requestAnimationFrame);
-      // Standing for want of a field is no stop: on a busy machine one may take that long.
-      const { held } = demo.character.stats;
-      const stands = held === waited && demo.character.position.distanceTo(last) < 1e-3;
+      // Standing for want of a field, held or slowed to nothing, is no stop: on a busy machine one may take that long.
+      const { held, slowed } = demo.character.stats;
+      const stands = held + slowed === waited && demo.character.position.distanceTo(last) < 1e-3;
       still = stands ? still + 1 : 0;
-      waited = held;
+      waited = held + slowed;
       last.copy(demo.character.position);
     }
     return last.toArray();
