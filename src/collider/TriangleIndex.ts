@@ -6,8 +6,9 @@ import { RUN, type Vertices, widened } from './Vertices.js';
 const RUNS = 32;
 /** Runs, here and there, by which an order is judged before all of it is looked at. */
 const SAMPLES = 64;
-/** Triangles between two looks at the clock. */
-const GRAIN = 1024;
+/** Triangles, and runs whose boxes are known, between two looks at the clock: few, as the first are slow. */
+const GRAIN = 4 * RUN;
+const RUN_GRAIN = 512;
 /** Part of its runs that a place in a mesh may be in, with a fiftieth of the mesh around it; of more, the order is bad. */
 const SCATTERED = 0.05;
 const AROUND = 0.02;
@@ -28,8 +29,13 @@ export class TriangleIndex {
   #runs = new Float32Array(0);
   #blocks = new Float32Array(0);
   readonly #whole = new Float32Array(6);
+  /** Boxes of the runs by which the order is judged; null once it is. */
+  #samples: Float32Array | null = null;
+  #sampled = 0;
   #next = 0;
-  #sampled = false;
+  #joined = 0;
+  #judged = 0;
+  #scatter = 0;
   #order: SpatialOrder | null = null;
 
   constructor(geometry: BufferGeometry, vertices: Vertices) {
@@ -63,32 +69,38 @@ export class TriangleIndex {
 
   /** Goes on until it is done, or `performance.now()` is past `end`. */
   work(end: number): void {
+    do this.#portion();
+    while (!this.done && performance.now() < end);
+  }
+
+  #portion(): void {
     const { triangles } = this.vertices;
     if (this.#runs.length === 0) {
       const runs = Math.ceil(triangles / RUN);
       this.#runs = new Float32Array(6 * runs);
       this.#blocks = new Float32Array(6 * Math.ceil(runs / RUNS));
+      this.#samples = new Float32Array(6 * Math.min(SAMPLES, runs));
+    } else if (this.#samples !== null) {
+      this.#sample(this.#samples);
+    } else if (this.#order !== null && !this.#order.done) {
+      this.#order.work();
+    } else if (this.#order === null && this.#next < triangles) {
+      const from = this.#next;
+      this.#next = Math.min(triangles, from + GRAIN);
+      for (let start = from; start < this.#next; start += RUN)
+        this.#measure(start, this.#runs, (6 * start) / RUN);
+    } else if (this.#joined < this.#blocks.length) {
+      this.#join();
+    } else if (this.#order === null && this.#judged < this.#runs.length) {
+      const from = this.#judged;
+      this.#judged = Math.min(this.#runs.length, from + 6 * RUN_GRAIN);
+      this.#scatter += this.#scattering(this.#runs, from, this.#judged);
+    } else if (this.#order === null && this.#isScattered(this.#scatter, this.#runs)) {
+      this.#order = new SpatialOrder(this.vertices, this.#whole, this.#runs);
+      this.#joined = 0;
+    } else {
+      this.done = true;
     }
-    do {
-      if (!this.#sampled) {
-        this.#sample();
-      } else if (this.#order !== null && !this.#order.done) {
-        this.#order.work();
-      } else if (this.#order === null && this.#next < triangles) {
-        const from = this.#next;
-        this.#next = Math.min(triangles, from + GRAIN);
-        for (let start = from; start < this.#next; start += RUN)
-          this.#measure(start, this.#runs, (6 * start) / RUN);
-      } else {
-        this.#join();
-        if (this.#order === null && this.#scattered(this.#runs)) {
-          this.#order = new SpatialOrder(this.vertices, this.#whole, this.#runs);
-        } else {
-          this.done = true;
-          return;
-        }
-      }
-    } while (performance.now() < end);
   }
 
   /**
@@ -123,16 +135,18 @@ export class TriangleIndex {
   }
 
   /** Is the order bad by a few of its runs? Then the rest need not be looked at. */
-  #sample(): void {
-    this.#sampled = true;
+  #sample(boxes: Float32Array): void {
+    const end = Math.min(boxes.length, this.#sampled + (6 * GRAIN) / RUN);
     const runs = Math.ceil(this.vertices.triangles / RUN);
-    const boxes = new Float32Array(6 * Math.min(SAMPLES, runs));
-    for (let at = 0; at < boxes.length; at += 6) {
+    for (let at = this.#sampled; at < end; at += 6) {
       const run = Math.floor((runs * at) / boxes.length);
       this.#measure(RUN * run, boxes, at);
     }
-    this.#unite(boxes);
-    if (!this.#scattered(boxes)) return;
+    this.#sampled = end;
+    if (end < boxes.length) return;
+    this.#samples = null;
+    this.#unite(boxes, 0, end);
+    if (!this.#isScattered(this.#scattering(boxes, 0, end), boxes)) return;
     this.#order = new SpatialOrder(this.vertices, this.#whole, this.#runs);
   }
 
@@ -168,32 +182,38 @@ export class TriangleIndex {
     boxes[at + 5] = widened(z1 * factor, 1);
   }
 
-  /** The boxes around boxes. */
+  /** The boxes around boxes, for some of them, and around all. */
   #join(): void {
-    this.#blocks.fill(Infinity);
-    for (let at = 0; at < this.#blocks.length; at += 6) {
-      for (let axis = 3; axis < 6; axis++) this.#blocks[at + axis] = -Infinity;
+    const blocks = this.#blocks;
+    const from = this.#joined;
+    this.#joined = Math.min(blocks.length, from + (6 * RUN_GRAIN) / RUNS);
+    for (let at = from; at < this.#joined; at += 6) {
+      empty(blocks, at);
       const end = Math.min(this.#runs.length, (at + 6) * RUNS);
-      for (let run = at * RUNS; run < end; run += 6) unite(this.#runs, run, this.#blocks, at);
+      for (let run = at * RUNS; run < end; run += 6) unite(this.#runs, run, blocks, at);
     }
-    this.#unite(this.#blocks);
+    this.#unite(blocks, from, this.#joined);
   }
 
-  /** The box around all of some. */
-  #unite(boxes: Float32Array): void {
-    this.#whole.fill(Infinity);
-    for (let axis = 3; axis < 6; axis++) this.#whole[axis] = -Infinity;
-    for (let at = 0; at < boxes.length; at += 6) unite(boxes, at, this.#whole, 0);
+  /** The box around all boxes, as far as they are known. */
+  #unite(boxes: Float32Array, from: number, end: number): void {
+    if (from === 0) empty(this.#whole, 0);
+    for (let at = from; at < end; at += 6) unite(boxes, at, this.#whole, 0);
   }
 
-  /** Are runs all over the place? */
-  #scattered(runs: Float32Array): boolean {
+  /** Are runs all over the place? @param scattering of all of them */
+  #isScattered(scattering: number, runs: Float32Array): boolean {
+    return scattering > (SCATTERED * runs.length) / 6;
+  }
+
+  /** The parts of the mesh that some runs may be in, added up. */
+  #scattering(runs: Float32Array, from: number, end: number): number {
     const whole = this.#whole;
     const longest = Math.max(whole[3]! - whole[0]!, whole[4]! - whole[1]!, whole[5]! - whole[2]!);
-    if (!(longest > 0)) return false;
+    if (!(longest > 0)) return 0;
     const around = AROUND * longest;
     let sum = 0;
-    for (let at = 0; at < runs.length; at += 6) {
+    for (let at = from; at < end; at += 6) {
       let part = 1;
       for (let axis = 0; axis < 3; axis++) {
         const extent = Math.max(0, runs[at + axis + 3]! - runs[at + axis]!);
@@ -201,12 +221,18 @@ export class TriangleIndex {
       }
       sum += part;
     }
-    return sum > (SCATTERED * runs.length) / 6;
+    return sum;
   }
 }
 
 export function versionOf(attribute: BufferAttribute | InterleavedBufferAttribute): number {
   return 'data' in attribute ? attribute.data.version : attribute.version;
+}
+
+/** Makes a box that nothing is in. */
+function empty(boxes: Float32Array, at: number): void {
+  boxes[at] = boxes[at + 1] = boxes[at + 2] = Infinity;
+  boxes[at + 3] = boxes[at + 4] = boxes[at + 5] = -Infinity;
 }
 
 function unite(from: Float32Array, at: number, to: Float32Array, into: number): void {
