@@ -1,6 +1,11 @@
 /** What both entries have: all but `CubeCollider`, of which there is one for each renderer. */
 export type { CubeColliderOptions } from './collider/CubeColliderOptions.js';
 export type { CubeColliderStats } from './collider/CubeColliderStats.js';
+export {
+  CubeColliderGroup,
+  type CubeColliderGroupOptions,
+  type CubeColliderGroupStats,
+} from './collider/CubeColliderGroup.js';
 export { CharacterController, type CharacterBody } from './character/CharacterController.js';
 export type { CharacterCollider, Survey } from './character/CharacterCollider.js';
 export type { CharacterEventMap } from './character/characterEvents.js';

@@ -31,6 +31,10 @@ export const DEFAULTS = {
     /** How old its newest field may be before `update` waits for the next. */
     maxAge: 0.5,
   },
+  group: {
+    /** Cubemaps drawn and read together at most, in one update. */
+    size: 20,
+  },
   character: {
     radius: 0.35,
     height: 1.8,

@@ -5,7 +5,7 @@ import type { SurfaceField } from '../field/SurfaceField.js';
 import { Warnings } from '../Warnings.js';
 import { type CubeColliderSettings, checkFar } from './CubeColliderOptions.js';
 import { type CubeColliderStats, emptyStats } from './CubeColliderStats.js';
-import type { CubemapDevice, DeviceClient, Scenery } from './CubemapDevice.js';
+import type { CubemapDevice, DeviceClient, DeviceHost, Scenery } from './CubemapDevice.js';
 import { DrawStamp } from './DrawStamp.js';
 import type { Solidity, TransparentPolicy } from './isSolid.js';
 import { NewestRead } from './NewestRead.js';
@@ -60,6 +60,7 @@ export abstract class ColliderBase<Renderer> extends Object3D {
   readonly #faulty = new WeakSet<Object3D>();
   readonly #warnings = new Warnings('CubeCollider');
   #gpu: CubemapDevice<Renderer> | null = null;
+  #host: DeviceHost<Renderer> | null = null;
   #far: number;
   #updates = 0;
   #urgent = false;
@@ -73,12 +74,10 @@ export abstract class ColliderBase<Renderer> extends Object3D {
   readonly #center = new Vector3();
   #time = 0;
   #now = false;
-  readonly #scenery: Scenery = {
-    scene: this.#scene,
-    select: () => this.#select(this.#selected!, this.#center, this.#selectReach),
-  };
+  readonly #scenery: Scenery;
+  readonly #sceneries: readonly Scenery[];
+  /** The user's scene, from when it is to be drawn until it is. */
   #selected: Object3D | null = null;
-  #selectReach = 0;
   readonly #drawn = (calls: number) => this.#afterDraw(calls);
   readonly #client: DeviceClient = {
     deliver: () => this.#deliver(),
@@ -110,6 +109,13 @@ export abstract class ColliderBase<Renderer> extends Object3D {
     };
     this.filter = settings.filter;
     this.#newest = new NewestRead(settings, this.stats);
+    this.#scenery = {
+      scene: this.#scene,
+      centers: [this.#center],
+      far: settings.far,
+      select: () => this.#select(),
+    };
+    this.#sceneries = [this.#scenery];
   }
 
   /**
@@ -216,6 +222,7 @@ export abstract class ColliderBase<Renderer> extends Object3D {
       gpu.drop();
       this.#draw(gpu, scene, worldPosition.setFromMatrixPosition(this.matrixWorld), false);
       this.#urgent = true;
+      this.#host?.drawNow();
       await new Promise<void>((resolve) => this.#waiters.push(resolve));
     }
     return this.#newest.field;
@@ -255,11 +262,15 @@ export abstract class ColliderBase<Renderer> extends Object3D {
 
   /** @returns whether some programs turned out not to work */
   #compileOnce(gpu: CubemapDevice<Renderer>, scene: Object3D, center: Vector3): Promise<boolean> {
+    // In a group a draw may be waiting for its turn.
+    const waiting = { scene: this.#selected, center: this.#center.clone(), far: this.#scenery.far };
     this.#selected = scene;
     this.#center.copy(center);
-    this.#selectReach = Infinity;
+    this.#scenery.far = Infinity;
     const compiled = gpu.compile(this.#scenery);
-    this.#selected = null;
+    this.#selected = waiting.scene;
+    this.#center.copy(waiting.center);
+    this.#scenery.far = waiting.far;
     this.#selection.clear();
     return compiled;
   }
@@ -270,6 +281,23 @@ export abstract class ColliderBase<Renderer> extends Object3D {
     this.#survey.forget();
     this.#gpu?.drop();
     this.#settle();
+  }
+
+  /** For `CubeColliderGroup`: who draws it from now on; null for itself. It begins anew. */
+  drawnBy(host: DeviceHost<Renderer> | null): void {
+    this.#release();
+    this.#host = host;
+  }
+
+  /** For `CubeColliderGroup`: a device that draws as this collider's own would, but as many cubemaps at once. */
+  createSharedDevice(
+    renderer: Renderer,
+    near: number,
+    cubemaps: number,
+    client: DeviceClient,
+  ): CubemapDevice<Renderer> {
+    const settings = { ...this.#settings, near, cubemaps };
+    return this.createDevice(renderer, settings, client, this.#warnings);
   }
 
   /** Frees everything on the GPU. Afterwards `update` does nothing. */
@@ -291,21 +319,20 @@ export abstract class ColliderBase<Renderer> extends Object3D {
 
   /** Select, draw, and read (`now`, or start to): what was drawn last is still bound then. */
   #draw(gpu: CubemapDevice<Renderer>, scene: Object3D, center: Vector3, now: boolean): void {
-    this.#time = performance.now();
     this.#now = now;
     this.#selected = scene;
     this.#center.copy(center);
-    this.#selectReach = this.#reach;
-    gpu.draw(this.#scenery, this.#center, this.#far, this.#drawn);
-    this.#selected = null;
+    this.#scenery.far = this.#far;
+    gpu.draw(this.#sceneries, this.#drawn);
   }
 
   #afterDraw(calls: number): void {
     const gpu = this.#gpu!;
+    this.#selected = null;
     this.stats.drawCalls = calls;
     this.stats.draws++;
-    this.stats.far = this.#far;
-    this.#survey.note(this.#selection.proxies, this.#center, this.#reach);
+    this.stats.far = this.#scenery.far;
+    this.#survey.note(this.#selection.proxies, this.#center, this.#drawReach);
     const stamp = this.#stampNow();
     if (!this.#now) {
       gpu.start(stamp);
@@ -322,9 +349,22 @@ export abstract class ColliderBase<Renderer> extends Object3D {
     return this.output === 'axis' ? this.rMax : this.#far;
   }
 
-  #select(scene: Object3D, center: Vector3, reach: number): readonly ObjectProxy[] {
+  /** Within what the draw under way selects, metres. */
+  get #drawReach(): number {
+    const { far } = this.#scenery;
+    return this.output === 'axis' && far < Infinity ? this.rMax : far;
+  }
+
+  #select(): readonly ObjectProxy[] {
     const { proxies } = this.#selection;
-    this.#selection.select(scene, center, reach, this.#rules, this.#dress);
+    this.#time = performance.now();
+    this.#selection.select(
+      this.#selected!,
+      this.#center,
+      this.#drawReach,
+      this.#rules,
+      this.#dress,
+    );
     this.#scene.children = proxies;
     this.stats.objects = proxies.length;
     return proxies;
@@ -352,7 +392,7 @@ export abstract class ColliderBase<Renderer> extends Object3D {
   #stampNow(): DrawStamp {
     const stamp = this.#stamp;
     stamp.center.copy(this.#center);
-    stamp.far = this.#far;
+    stamp.far = this.#scenery.far;
     if (this.output === 'surface') {
       this.stats.deforming = stamp.objects.take(this.#selection.proxies);
     }
@@ -417,7 +457,10 @@ export abstract class ColliderBase<Renderer> extends Object3D {
   #resources(renderer: Renderer): CubemapDevice<Renderer> {
     if (this.#gpu !== null && this.#gpu.renderer !== renderer) this.#release();
     if (this.#gpu === null) {
-      this.#gpu = this.createDevice(renderer, this.#settings, this.#client, this.#warnings);
+      this.#gpu =
+        this.#host === null
+          ? this.createDevice(renderer, this.#settings, this.#client, this.#warnings)
+          : this.#host.deviceFor(this, renderer, this.#client);
       const { format } = this.#settings;
       if (this.output === 'surface' && format !== 'auto' && format !== this.#gpu.format) {
         this.#warnings.once(

@@ -81,6 +81,8 @@ export interface CubeColliderSettings {
   readonly slack: number | null;
   readonly slackRatio: number;
   readonly maxAge: number;
+  /** Cubemaps that are drawn and read together at most: those of a `CubeColliderGroup`. */
+  readonly cubemaps: number;
 }
 
 const KNOWN: Record<keyof CubeColliderOptions, true> = {
@@ -167,6 +169,7 @@ export function resolveOptions(options: CubeColliderOptions): CubeColliderSettin
     slack: options.slack === undefined ? null : positive('slack', options.slack),
     slackRatio: d.slackRatio,
     maxAge: positive('maxAge', options.maxAge ?? d.maxAge),
+    cubemaps: 1,
   };
 }
 

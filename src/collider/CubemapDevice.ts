@@ -15,10 +15,25 @@ export interface DeviceClient {
   lost(): void;
 }
 
-/** What a cubemap shows. */
+/** Who draws several colliders' cubemaps together. */
+export interface DeviceHost<Renderer> {
+  /** The part of its device that a collider's cubemaps have. */
+  deviceFor(collider: object, renderer: Renderer, client: DeviceClient): CubemapDevice<Renderer>;
+  /** Draws what waits for it. */
+  drawNow(): void;
+}
+
+/** What one render shows: the scenery of a cubemap, or of up to five. */
 export interface Scenery {
   /** To be rendered: holds the proxies that `select` leaves. */
   readonly scene: Scene;
+  /** Of each cubemap, world space. */
+  readonly centers: readonly Vector3[];
+  /**
+   * Reach, metres; whoever draws it among others may set it higher before `select`. Infinity where everything is to be
+   * prepared, and nothing seen.
+   */
+  far: number;
   /** Selects and dresses the proxies anew. */
   select(): readonly ObjectProxy[];
 }
@@ -46,23 +61,28 @@ export interface CubemapDevice<Renderer> {
   /** The material to draw a user's with. @param solidity which of several are obstacles */
   dress(source: Material | Material[], solidity: Solidity): Material | Material[];
   /**
-   * Draws the cubemap, and finds its maxima in the paper's mode. The renderer is as it was afterwards.
+   * Draws cubemaps, a render for each scenery, and finds the maxima in the paper's mode. The renderer is as it was
+   * afterwards.
    *
-   * @param center world space
-   * @param far reach, metres
+   * @param sceneries one; of several cubemaps, all but the last with the centres of five
    * @param drawn called while what was drawn can be read, by `start` or `readNow`, with the number of draw calls
    */
-  draw(scenery: Scenery, center: Vector3, far: number, drawn: (calls: number) => void): void;
-  /** Starts to read what was just drawn; takes the stamp's table of objects. */
-  start(stamp: DrawStamp): void;
+  draw(sceneries: readonly Scenery[], drawn: (calls: number) => void): void;
+  /**
+   * Starts to read what was just drawn; takes the stamp's table of objects.
+   *
+   * @param cubemaps how many of the atlas's, from the first on
+   */
+  start(stamp: DrawStamp, cubemaps?: number): void;
   /** Reads what was just drawn, waiting for it; null where a renderer cannot wait. */
   readonly readNow: (() => void) | null;
   /**
    * Makes `data` and `ids` those of the newest read on its way, and drops the older ones.
    *
+   * @param oldest those of the oldest instead, dropping none
    * @returns what was drawn then, or null if no read is on its way
    */
-  finish(): DrawStamp | null;
+  finish(oldest?: boolean): DrawStamp | null;
   /** Forgets the reads on their way. */
   drop(): void;
   /** In the paper's mode: decodes `data`. */

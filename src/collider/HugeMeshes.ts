@@ -10,11 +10,17 @@ const HUGE = 20_000;
 const SLICE = 1.5;
 /** Frames for which an edited geometry must have kept still before its runs are found anew. */
 const REST = 30;
+/** Milliseconds for which no other collider finds runs after one did: a crowd's slices are one slice. */
+const OTHERS = 8;
 /** Draws for which what a mesh needs on the GPU is kept though it is out of reach. */
 const KEPT = 8;
 
 /** What is known of each geometry's triangles, for all colliders; null of those that cannot be read. */
 const known = new WeakMap<BufferGeometry, TriangleIndex | null>();
+
+/** Who found runs last, and when. */
+let worker: WeakRef<HugeMeshes> | null = null;
+let worked = 0;
 
 /** Draws of huge meshes what is near alone, as soon as it is known what that is. Until then they are drawn whole. */
 export class HugeMeshes {
@@ -76,7 +82,13 @@ export class HugeMeshes {
       this.#pending.push(this.#pending.shift()!);
       return;
     }
-    index.work(performance.now() + SLICE);
+    const now = performance.now();
+    if (worker?.deref() !== this) {
+      if (now < worked + OTHERS) return;
+      worker = new WeakRef(this);
+    }
+    if (!index.done) index.work(now + SLICE);
+    worked = performance.now();
     if (index.done) this.#pending.shift();
   }
 

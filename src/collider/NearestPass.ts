@@ -27,12 +27,13 @@ function nearestShader(format: TexelFormat): string {
 layout( location = 0 ) out highp vec4 texel;
 ${beside ? 'layout( location = 1 ) out highp uvec2 ids;' : 'uvec2 ids;'}
 uniform sampler2D finer;
+uniform int firstRow; // of those that it fills now
 uniform highp usampler2D finerIds;
 ${decodeDistanceGLSL(format)}
 ${keepPlaceGLSL(format)}
 
 void main() {
-  ivec2 from = ivec2( gl_FragCoord.xy ) * SUPERSAMPLE;
+  ivec2 from = ( ivec2( gl_FragCoord.xy ) - ivec2( 0, firstRow ) ) * SUPERSAMPLE;
   texel = vec4( 0.0 );
   ids = uvec2( 0u );
   ivec2 place = ivec2( 0 );
@@ -68,15 +69,24 @@ export class NearestPass {
   readonly #triangle: Mesh<BufferGeometry, ShaderMaterial>;
   readonly #scene = new PrivateScene();
   readonly #camera = new OrthographicCamera();
+  /** Of what one reduction fills, and of one cubemap. */
+  readonly #height: number;
+  readonly #rows: number;
 
-  /** @param finer the atlas drawn at `supersample` times `resolution` texels per face edge */
+  /**
+   * @param finer the atlas drawn at `supersample` times `resolution` texels per face edge
+   * @param cubemaps how many `result` holds; `finer` may hold fewer
+   */
   constructor(
     resolution: number,
     supersample: number,
     format: TexelFormat,
     finer: WebGLRenderTarget,
+    cubemaps = 1,
   ) {
-    const { width, height } = atlasSize(resolution);
+    const { width, height } = atlasSize(resolution, cubemaps);
+    this.#height = finer.height / supersample;
+    this.#rows = atlasSize(resolution).height;
     this.result = createTexelTarget(width, height, format, false, finer.textures.length > 1);
     const material = new ShaderMaterial({
       name: 'CubeCollider nearest',
@@ -86,6 +96,7 @@ export class NearestPass {
       uniforms: {
         finer: { value: finer.textures[0] },
         finerIds: { value: finer.textures[1] ?? null },
+        firstRow: { value: 0 },
       },
       glslVersion: GLSL3,
       depthTest: false,
@@ -103,9 +114,17 @@ export class NearestPass {
     this.#scene.add(this.#triangle);
   }
 
-  /** Fills `result` and leaves it the current target, ready to be read. */
-  reduce(renderer: WebGLRenderer): void {
-    renderer.setRenderTarget(this.result);
+  /**
+   * Fills `result` and leaves it the current target, ready to be read.
+   *
+   * @param first the cubemap from which on it is filled, with as many as are drawn finer
+   */
+  reduce(renderer: WebGLRenderer, first = 0): void {
+    const { result } = this;
+    const row = first * this.#rows;
+    this.#triangle.material.uniforms.firstRow!.value = row;
+    result.viewport.set(0, row, result.width, Math.min(this.#height, result.height - row));
+    renderer.setRenderTarget(result);
     renderer.render(this.#scene, this.#camera);
   }
 

@@ -7,6 +7,8 @@ class PackBuffer extends DrawStamp {
   idBuffer: WebGLBuffer | null = null;
   fence: WebGLSync | null = null;
   pending = false;
+  /** Numbers of each that are on their way. */
+  length = 0;
 }
 
 /** Reads in flight at most: a third would only queue behind these. */
@@ -72,13 +74,17 @@ export class ReadbackRing {
     gl.readBuffer(gl.COLOR_ATTACHMENT0);
   }
 
-  /** Starts reading the framebuffer bound now; returns false if no buffer is free. */
-  start(stamp: DrawStamp): boolean {
+  /**
+   * Starts reading the framebuffer bound now; returns false if no buffer is free.
+   *
+   * @param rows how many, from the lowest on
+   */
+  start(stamp: DrawStamp, rows = this.#height): boolean {
     let slot: PackBuffer | null = null;
     for (const candidate of this.#slots) if (!candidate.pending) slot = candidate;
     if (slot === null) return false;
     const gl = this.#gl;
-    slot.buffer = this.#pack(slot.buffer, gl.RGBA, this.#type, this.data.byteLength);
+    slot.buffer = this.#pack(slot.buffer, gl.RGBA, this.#type, this.data.byteLength, rows);
     if (this.ids !== null) {
       gl.readBuffer(gl.COLOR_ATTACHMENT1);
       slot.idBuffer = this.#pack(
@@ -86,6 +92,7 @@ export class ReadbackRing {
         gl.RGBA_INTEGER,
         gl.UNSIGNED_INT,
         this.ids.byteLength,
+        rows,
       );
       gl.readBuffer(gl.COLOR_ATTACHMENT0);
     }
@@ -94,6 +101,7 @@ export class ReadbackRing {
     gl.flush();
     slot.take(stamp);
     slot.pending = true;
+    slot.length = 4 * this.#width * rows;
     return true;
   }
 
@@ -106,26 +114,29 @@ export class ReadbackRing {
   /**
    * Copies the newest read on its way into `data` and drops the older ones, waiting for the GPU if it must.
    *
+   * @param oldest copies the oldest instead, and drops none
    * @returns where, when and what was drawn (the table is the caller's to take), or null if none is on its way
    */
-  finish(): DrawStamp | null {
-    const newest = this.#newest();
-    if (newest === null) return null;
+  finish(oldest = false): DrawStamp | null {
+    const slot = oldest ? this.#oldest() : this.#newest();
+    if (slot === null) return null;
     const gl = this.#gl;
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, newest.buffer);
-    gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, this.data);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, slot.buffer);
+    gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, this.data, 0, slot.length);
     if (this.ids !== null) {
-      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, newest.idBuffer);
-      gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, this.ids);
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, slot.idBuffer);
+      gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, this.ids, 0, slot.length);
     }
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-    this.#drop(newest);
-    return newest;
+    for (const other of this.#slots) {
+      if (other.serial <= slot.serial) this.#drop(other, other === slot);
+    }
+    return slot;
   }
 
   /** Forgets the reads on their way. */
   drop(): void {
-    this.#drop(null);
+    for (const slot of this.#slots) this.#drop(slot, false);
   }
 
   dispose(): void {
@@ -138,24 +149,36 @@ export class ReadbackRing {
   }
 
   /** Copies from the read buffer into a pixel-pack buffer, on the GPU's side; leaves it bound. */
-  #pack(buffer: WebGLBuffer | null, format: number, type: number, bytes: number): WebGLBuffer {
+  #pack(
+    buffer: WebGLBuffer | null,
+    format: number,
+    type: number,
+    bytes: number,
+    rows: number,
+  ): WebGLBuffer {
     const gl = this.#gl;
     const target = buffer ?? gl.createBuffer();
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, target);
     // STREAM_READ is no faster here and makes Chromium warn at every read.
     if (buffer === null) gl.bufferData(gl.PIXEL_PACK_BUFFER, bytes, gl.STREAM_COPY);
-    gl.readPixels(0, 0, this.#width, this.#height, format, type, 0);
+    gl.readPixels(0, 0, this.#width, rows, format, type, 0);
     return target;
   }
 
   /** @param taken keeps its table: it is about to be decoded */
-  #drop(taken: PackBuffer | null): void {
+  #drop(slot: PackBuffer, taken: boolean): void {
+    if (slot.fence !== null) this.#gl.deleteSync(slot.fence);
+    slot.fence = null;
+    slot.pending = false;
+    if (!taken) slot.objects.clear();
+  }
+
+  #oldest(): PackBuffer | null {
+    let oldest: PackBuffer | null = null;
     for (const slot of this.#slots) {
-      if (slot.fence !== null) this.#gl.deleteSync(slot.fence);
-      slot.fence = null;
-      slot.pending = false;
-      if (slot !== taken) slot.objects.clear();
+      if (slot.pending && (oldest === null || slot.serial < oldest.serial)) oldest = slot;
     }
+    return oldest;
   }
 
   #newest(): PackBuffer | null {

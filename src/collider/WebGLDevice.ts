@@ -1,5 +1,5 @@
-import type { Material, Vector3, WebGLRenderer, WebGLRenderTarget } from 'three';
-import { atlasSize } from '../cube/atlas.js';
+import type { Material, WebGLRenderer, WebGLRenderTarget } from 'three';
+import { ATLAS_ROWS, atlasSize } from '../cube/atlas.js';
 import type { AxisMaxima } from '../cube/AxisMaxima.js';
 import { hasIdTexture, type TexelFormat } from '../cube/encoding.js';
 import type { Warnings } from '../Warnings.js';
@@ -8,7 +8,7 @@ import { CollisionMaterials } from './CollisionMaterials.js';
 import type { CubeColliderSettings } from './CubeColliderOptions.js';
 import type { CubemapDevice, DeviceClient, Scenery } from './CubemapDevice.js';
 import type { DrawStamp } from './DrawStamp.js';
-import { FaceCameras } from './FaceCameras.js';
+import { FaceCameras, MOST_CUBEMAPS } from './FaceCameras.js';
 import type { Solidity } from './isSolid.js';
 import { NearestPass } from './NearestPass.js';
 import { ReadbackRing } from './ReadbackRing.js';
@@ -22,6 +22,8 @@ export class WebGLDevice implements CubemapDevice<WebGLRenderer> {
   readonly atlas: WebGLRenderTarget;
   /** What scenery is drawn into; the atlas itself, unless it is drawn finer. */
   readonly #drawn: WebGLRenderTarget;
+  /** Of one cubemap, as read. */
+  readonly #rows: number;
   readonly #cameras: FaceCameras;
   readonly #materials: CollisionMaterials;
   /** The search for the maxima; null if surfaces are read. */
@@ -45,23 +47,23 @@ export class WebGLDevice implements CubemapDevice<WebGLRenderer> {
     warnings: Warnings,
   ) {
     const gl = renderer.getContext() as WebGL2RenderingContext;
-    const { resolution, supersample, near, far, output } = settings;
+    const { resolution, supersample, near, far, output, cubemaps } = settings;
     const fine = resolution * supersample;
+    const together = Math.min(cubemaps, MOST_CUBEMAPS);
     const axis = output === 'axis';
     this.format = axis ? 'RGBA8' : usableFormat(gl, settings.format);
     const ids = !axis && hasIdTexture(this.format);
-    const { width, height } = atlasSize(resolution);
-    this.#drawn = createTexelTarget(
-      supersample * width,
-      supersample * height,
-      this.format,
-      true,
-      ids,
-    );
+    const { width, height } = atlasSize(resolution, cubemaps);
+    // Drawn finer, one render's cubemaps after the other are drawn into the same texels.
+    const drawn = supersample > 1 ? atlasSize(fine, together) : { width, height };
+    this.#drawn = createTexelTarget(drawn.width, drawn.height, this.format, true, ids);
     this.#nearest =
-      supersample > 1 ? new NearestPass(resolution, supersample, this.format, this.#drawn) : null;
+      supersample > 1
+        ? new NearestPass(resolution, supersample, this.format, this.#drawn, cubemaps)
+        : null;
     this.atlas = this.#nearest?.result ?? this.#drawn;
-    this.#cameras = new FaceCameras(fine, near, far);
+    this.#rows = ATLAS_ROWS * resolution;
+    this.#cameras = new FaceCameras(fine, near, far, together);
     this.#materials = new CollisionMaterials(
       { ...settings, resolution: fine, format: this.format },
       renderer,
@@ -101,39 +103,49 @@ export class WebGLDevice implements CubemapDevice<WebGLRenderer> {
     return this.#materials.for(source, solidity);
   }
 
-  draw(scenery: Scenery, center: Vector3, far: number, drawn: (calls: number) => void): void {
+  draw(sceneries: readonly Scenery[], drawn: (calls: number) => void): void {
     const { renderer } = this;
-    this.#cameras.moveTo(center);
-    this.#cameras.reach(far);
-    this.#materials.far = far;
     this.#state.enter(renderer, this.#materials.shaderFailed);
     try {
-      let before: number;
-      do {
-        scenery.select();
-        before = renderer.info.render.calls;
-        clearTexels(renderer, this.#drawn);
-        renderer.render(scenery.scene, this.#cameras);
-        // At once again, where a material could not be wrapped and something plainer takes its place.
-      } while (this.#materials.giveUp());
-      const calls = renderer.info.render.calls - before;
+      let calls = 0;
+      for (let i = 0; i < sceneries.length; i++) calls += this.#render(sceneries[i]!, i);
       this.#axis?.reduce(renderer);
-      this.#nearest?.reduce(renderer);
       drawn(calls);
     } finally {
       this.#state.leave(renderer);
     }
   }
 
-  start(stamp: DrawStamp): void {
-    this.#ring.start(stamp);
+  /** @param i number of the render, each of which but the last draws five cubemaps. @returns draw calls */
+  #render(scenery: Scenery, i: number): number {
+    const { renderer } = this;
+    const first = MOST_CUBEMAPS * i;
+    this.#cameras.drawInto(this.#nearest === null ? first : 0);
+    this.#cameras.moveTo(scenery.centers);
+    this.#cameras.reach(scenery.far);
+    this.#materials.far = scenery.far;
+    let before: number;
+    do {
+      scenery.select();
+      before = renderer.info.render.calls;
+      if (this.#nearest !== null || i === 0) clearTexels(renderer, this.#drawn);
+      renderer.render(scenery.scene, this.#cameras);
+      // At once again, where a material could not be wrapped and something plainer takes its place.
+    } while (this.#materials.giveUp());
+    const calls = renderer.info.render.calls - before;
+    this.#nearest?.reduce(renderer, first);
+    return calls;
+  }
+
+  start(stamp: DrawStamp, cubemaps?: number): void {
+    this.#ring.start(stamp, cubemaps === undefined ? undefined : cubemaps * this.#rows);
     this.#scheduler!.wait(this.#waiting);
   }
 
   readonly readNow = (): void => this.#ring.readNow();
 
-  finish(): DrawStamp | null {
-    return this.#ring.finish();
+  finish(oldest?: boolean): DrawStamp | null {
+    return this.#ring.finish(oldest);
   }
 
   drop(): void {

@@ -2,9 +2,13 @@
 export const ATLAS_COLUMNS = 3;
 export const ATLAS_ROWS = 2;
 
-/** Width and height of the atlas in texels, for faces of `resolution`² texels. */
-export function atlasSize(resolution: number): { width: number; height: number } {
-  return { width: ATLAS_COLUMNS * resolution, height: ATLAS_ROWS * resolution };
+/**
+ * Width and height in texels of an atlas with faces of `resolution`² texels.
+ *
+ * @param cubemaps how many, one above the other: each is a run of texels of its own
+ */
+export function atlasSize(resolution: number, cubemaps = 1): { width: number; height: number } {
+  return { width: ATLAS_COLUMNS * resolution, height: cubemaps * ATLAS_ROWS * resolution };
 }
 
 /** Column and row of a face's tile, counted from the bottom left as GL does. */

@@ -16,6 +16,8 @@ class MappedBuffer extends DrawStamp {
   mapped = false;
   /** The GPU has it. */
   busy = false;
+  /** Rows that are on their way. */
+  rows = 0;
 
   constructor(
     readonly buffer: GPUBuffer,
@@ -64,15 +66,19 @@ export class MappedRing {
     return this.inFlight < READS;
   }
 
-  /** Starts reading a texture of that size, or a buffer of one row. */
-  start(source: GPUTexture | GPUBuffer, stamp: DrawStamp): void {
+  /**
+   * Starts reading a texture of that size, or a buffer of one row.
+   *
+   * @param rows how many of a texture's, from the first on
+   */
+  start(source: GPUTexture | GPUBuffer, stamp: DrawStamp, rows = this.#height): void {
     const slot = this.#slots.find(({ busy }) => !busy) ?? this.#create();
     const encoder = this.#device.createCommandEncoder({ label: 'CubeCollider' });
     if ('createView' in source) {
       encoder.copyTextureToBuffer(
         { texture: source },
         { buffer: slot.buffer, bytesPerRow: this.#stride },
-        [this.#width, this.#height],
+        [this.#width, rows],
       );
     } else {
       encoder.copyBufferToBuffer(source, 0, slot.buffer, 0, 16 * this.#width);
@@ -80,23 +86,30 @@ export class MappedRing {
     this.#device.queue.submit([encoder.finish()]);
     slot.take(stamp);
     slot.pending = slot.busy = true;
+    slot.rows = rows;
     // It fails where the device was lost or the buffer destroyed: then nobody waits for it.
     slot.buffer.mapAsync(READ).then(slot.onMapped, () => {});
   }
 
-  /** Copies the newest read that has come and drops the older ones; those still on their way are newer. */
-  finish(): DrawStamp | null {
-    let newest: MappedBuffer | null = null;
+  /**
+   * Copies the newest read that has come and drops the older ones; those still on their way are newer.
+   *
+   * @param oldest copies the oldest that has come instead, and drops none
+   */
+  finish(oldest = false): DrawStamp | null {
+    let chosen: MappedBuffer | null = null;
     for (const slot of this.#slots) {
       if (!slot.pending || !slot.mapped) continue;
-      if (newest === null || slot.serial > newest.serial) newest = slot;
+      if (chosen === null || slot.serial > chosen.serial !== oldest) chosen = slot;
     }
-    if (newest === null) return null;
-    this.#copy(newest.buffer.getMappedRange());
+    if (chosen === null) return null;
+    this.#copy(chosen.buffer.getMappedRange(), chosen.rows);
     for (const slot of this.#slots) {
-      if (slot.pending && slot.serial <= newest.serial) this.#drop(slot, slot !== newest);
+      if (slot === chosen || (!oldest && slot.pending && slot.serial < chosen.serial)) {
+        this.#drop(slot, slot !== chosen);
+      }
     }
-    return newest;
+    return chosen;
   }
 
   /** Forgets the reads on their way. */
@@ -112,14 +125,14 @@ export class MappedRing {
   }
 
   /** Without the rows' padding. */
-  #copy(mapped: ArrayBuffer): void {
+  #copy(mapped: ArrayBuffer, rows: number): void {
     const { data } = this;
     const row = 4 * this.#width;
     if (this.#stride === 4 * row) {
-      data.set(new Float32Array(mapped, 0, data.length));
+      data.set(new Float32Array(mapped, 0, rows * row));
       return;
     }
-    for (let y = 0; y < this.#height; y++) {
+    for (let y = 0; y < rows; y++) {
       data.set(new Float32Array(mapped, y * this.#stride, row), y * row);
     }
   }

@@ -1,4 +1,4 @@
-import { float, Fn, If, int, ivec2, screenCoordinate, textureLoad, vec4 } from 'three/tsl';
+import { float, Fn, If, int, ivec2, screenCoordinate, textureLoad, uniform, vec4 } from 'three/tsl';
 import {
   NoBlending,
   type Node,
@@ -20,26 +20,54 @@ export class NearestQuad {
   readonly result: RenderTarget;
   readonly #quad: QuadMesh;
   readonly #material = new NodeMaterial();
+  /** Of what one reduction fills, and of one cubemap. */
+  readonly #height: number;
+  readonly #rows: number;
+  readonly #upward: boolean;
+  readonly #firstRow = uniform(0, 'int');
 
   /**
    * @param drawn its rows count downward, and so do those of each tile
+   * @param cubemaps how many `result` holds; `drawn` may hold fewer
    * @param upward whether a target's rows are read in the order in which shaders count them, or the other way round
    */
-  constructor(resolution: number, supersample: number, drawn: RenderTarget, upward: boolean) {
-    const { width, height } = atlasSize(resolution);
+  constructor(
+    resolution: number,
+    supersample: number,
+    drawn: RenderTarget,
+    cubemaps: number,
+    upward: boolean,
+  ) {
+    const { width, height } = atlasSize(resolution, cubemaps);
     this.result = createFloatTarget(width, height, false);
+    this.#height = drawn.height / supersample;
+    this.#rows = atlasSize(resolution).height;
+    this.#upward = upward;
     const material = this.#material;
     material.name = 'CubeCollider nearest';
     material.lights = material.fog = material.toneMapped = false;
     material.depthTest = material.depthWrite = false;
     material.blending = NoBlending;
-    material.fragmentNode = nearest(resolution, supersample, drawn, upward) as never;
+    const own = int(screenCoordinate.y);
+    const row = (upward ? own : int(height - 1).sub(own)).sub(this.#firstRow);
+    material.fragmentNode = nearest(resolution, supersample, drawn, row) as never;
     this.#quad = new QuadMesh(material);
   }
 
-  /** Fills `result` and leaves it the current target. */
-  reduce(renderer: WebGPURenderer): void {
-    renderer.setRenderTarget(this.result);
+  /**
+   * Fills `result` and leaves it the current target.
+   *
+   * @param first the cubemap from which on it is filled, with as many as were drawn
+   */
+  reduce(renderer: WebGPURenderer, first = 0): void {
+    const { result } = this;
+    const row = first * this.#rows;
+    const height = Math.min(this.#height, result.height - row);
+    this.#firstRow.value = row;
+    result.viewport.set(0, this.#upward ? row : result.height - row - height, result.width, height);
+    // Whatever is beside the viewport stays.
+    renderer.autoClear = first === 0;
+    renderer.setRenderTarget(result);
     this.#quad.render(renderer);
   }
 
@@ -49,17 +77,16 @@ export class NearestQuad {
   }
 }
 
+/** @param place the row of those filled now, in the order in which they are read */
 function nearest(
   resolution: number,
   supersample: number,
   { texture: drawn }: RenderTarget,
-  upward: boolean,
+  place: Node<'int'>,
 ): Node<'vec4'> {
-  const rows = 2 * resolution;
   return Fn(() => {
     const column = int(screenCoordinate.x).mul(supersample).toVar();
-    const own = int(screenCoordinate.y);
-    const row = (upward ? own : int(rows - 1).sub(own)).toVar();
+    const row = place.toVar();
     const tile = row.div(resolution).toVar();
     // The block's lowest row, counted downward within its tile.
     const fine = resolution * supersample;
@@ -70,19 +97,19 @@ function nearest(
       .sub(1)
       .toVar();
     const texel = vec4(0).toVar();
-    const place = float(0).toVar();
+    const finer = float(0).toVar();
     for (let y = 0; y < supersample; y++) {
       for (let x = 0; x < supersample; x++) {
         const candidate = textureLoad(drawn, ivec2(column.add(x), bottom.sub(y)), int(0)).toVar();
         const seen = candidate.x.greaterThan(0);
         If(seen.and(texel.x.equal(0).or(candidate.x.lessThan(texel.x))), () => {
           texel.assign(candidate);
-          place.assign(x + 4 * y);
+          finer.assign(x + 4 * y);
         });
       }
     }
     if (supersample === 1) return texel;
-    const amount = texel.z.abs().min(65537).mul(PLACES).add(place);
+    const amount = texel.z.abs().min(65537).mul(PLACES).add(finer);
     const kept = texel.z.lessThan(0).select(amount.negate(), amount);
     return vec4(texel.xy, texel.x.greaterThan(0).select(kept, float(0)), texel.w);
   })() as Node<'vec4'>;

@@ -11,11 +11,16 @@ export interface TexelReads {
   readonly data: Float32Array;
   readonly inFlight: number;
   readonly free: boolean;
-  /** Starts to read what was just drawn into the target. */
-  start(stamp: DrawStamp): void;
+  /**
+   * Starts to read what was just drawn into the target.
+   *
+   * @param rows how many of the target's, from the first on; all, if left out
+   */
+  start(stamp: DrawStamp, rows?: number): void;
   /** Reads it at once, waiting for the GPU; null where that cannot be done. */
   readonly readNow: (() => void) | null;
-  finish(): DrawStamp | null;
+  /** @param oldest not the newest that has come, dropping the others */
+  finish(oldest?: boolean): DrawStamp | null;
   drop(): void;
   dispose(): void;
 }
@@ -63,12 +68,12 @@ class MappedReads implements TexelReads {
     return this.#ring.free;
   }
 
-  start(stamp: DrawStamp): void {
-    this.#ring.start(this.#source(), stamp);
+  start(stamp: DrawStamp, rows?: number): void {
+    this.#ring.start(this.#source(), stamp, rows);
   }
 
-  finish(): DrawStamp | null {
-    return this.#ring.finish();
+  finish(oldest?: boolean): DrawStamp | null {
+    return this.#ring.finish(oldest);
   }
 
   drop(): void {
@@ -111,16 +116,16 @@ class FallbackReads implements TexelReads {
     return this.#ring.free;
   }
 
-  start(stamp: DrawStamp): void {
-    this.#read(() => this.#ring.start(stamp));
+  start(stamp: DrawStamp, rows?: number): void {
+    this.#read(() => this.#ring.start(stamp, rows));
     this.#scheduler.wait(this.#waiting);
   }
 
   /** On a page that keeps its GPU busy the queue never drains, and no read would ever come. */
   readonly readNow = (): void => this.#read(() => this.#ring.readNow());
 
-  finish(): DrawStamp | null {
-    return this.#ring.finish();
+  finish(oldest?: boolean): DrawStamp | null {
+    return this.#ring.finish(oldest);
   }
 
   drop(): void {

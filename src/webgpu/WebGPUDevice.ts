@@ -1,10 +1,10 @@
-import type { Material, RenderTarget, Vector3, WebGPURenderer } from 'three/webgpu';
-import { atlasSize } from '../cube/atlas.js';
+import type { Material, RenderTarget, WebGPURenderer } from 'three/webgpu';
+import { ATLAS_ROWS, atlasSize } from '../cube/atlas.js';
 import type { AxisMaxima } from '../cube/AxisMaxima.js';
 import type { CubeColliderSettings } from '../collider/CubeColliderOptions.js';
 import type { CubemapDevice, DeviceClient, Scenery } from '../collider/CubemapDevice.js';
 import type { DrawStamp } from '../collider/DrawStamp.js';
-import { FaceCameras } from '../collider/FaceCameras.js';
+import { FaceCameras, MOST_CUBEMAPS } from '../collider/FaceCameras.js';
 import type { Solidity } from '../collider/isSolid.js';
 import { type AxisReduction, ComputedAxisReduction, DrawnAxisReduction } from './AxisReduction.js';
 import { backendOf } from './backendOf.js';
@@ -42,13 +42,16 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
     settings: CubeColliderSettings,
     client: DeviceClient,
   ) {
-    const { resolution, supersample, near, far, output } = settings;
+    const { resolution, supersample, near, far, output, cubemaps } = settings;
     const fine = resolution * supersample;
-    const { width, height } = atlasSize(fine);
+    const together = Math.min(cubemaps, MOST_CUBEMAPS);
+    // One render's cubemaps after the other are drawn into the same texels.
+    const { width, height } = atlasSize(fine, together);
     const { device } = backendOf(renderer);
     this.#drawn = createFloatTarget(width, height, true);
-    this.#nearest = new NearestQuad(resolution, supersample, this.#drawn, device !== undefined);
-    this.#cameras = new FaceCameras(fine, near, far);
+    const upward = device !== undefined;
+    this.#nearest = new NearestQuad(resolution, supersample, this.#drawn, cubemaps, upward);
+    this.#cameras = new FaceCameras(fine, near, far, together);
     this.#materials = new NodeCollisionMaterials(settings, (source) => this.#proxies.free(source));
     this.#axis = output === 'axis' ? createReduction(resolution, this.atlas, device) : null;
     this.#resolution = resolution;
@@ -80,19 +83,26 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
     return this.#materials.for(source, solidity);
   }
 
-  draw(scenery: Scenery, center: Vector3, far: number, drawn: (calls: number) => void): void {
-    this.#cameras.moveTo(center);
-    this.#cameras.reach(far);
-    this.#materials.far = far;
-    this.#draw(scenery, drawn);
+  draw(sceneries: readonly Scenery[], drawn: (calls: number) => void): void {
+    const { renderer } = this;
+    this.#state.enter(renderer);
+    try {
+      let calls = 0;
+      for (let i = 0; i < sceneries.length; i++) calls += this.#render(sceneries[i]!, i);
+      this.#axis?.reduce(renderer);
+      drawn(calls);
+    } finally {
+      this.#state.leave(renderer);
+    }
   }
 
-  start(stamp: DrawStamp): void {
-    this.#reads.start(stamp);
+  start(stamp: DrawStamp, cubemaps?: number): void {
+    const rows = ATLAS_ROWS * this.#resolution;
+    this.#reads.start(stamp, cubemaps === undefined ? undefined : cubemaps * rows);
   }
 
-  finish(): DrawStamp | null {
-    return this.#reads.finish();
+  finish(oldest?: boolean): DrawStamp | null {
+    return this.#reads.finish(oldest);
   }
 
   drop(): void {
@@ -112,7 +122,7 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
    * programs are others, and fails where the user's own is under way.
    */
   async compile(scenery: Scenery): Promise<boolean> {
-    this.#draw(scenery, () => {});
+    this.draw([scenery], () => {});
     await backendOf(this.renderer).device?.queue.onSubmittedWorkDone();
     return false;
   }
@@ -127,25 +137,27 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
     this.#proxies.clear();
   }
 
-  #draw(scenery: Scenery, drawn: (calls: number) => void): void {
+  /** @param i number of the render, each of which but the last draws five cubemaps. @returns draw calls */
+  #render(scenery: Scenery, i: number): number {
     const { renderer } = this;
-    this.#state.enter(renderer);
-    try {
-      this.#arrange(scenery);
-      renderer.setRenderTarget(this.#drawn);
-      const before = renderer.info.render.drawCalls;
-      renderer.render(scenery.scene, this.#cameras);
-      const calls = renderer.info.render.drawCalls - before;
-      this.#nearest.reduce(renderer);
-      this.#axis?.reduce(renderer);
-      drawn(calls);
-    } finally {
-      this.#state.leave(renderer);
+    this.#cameras.moveTo(scenery.centers);
+    if (scenery.far < Infinity) {
+      this.#cameras.reach(scenery.far);
+      this.#materials.far = scenery.far;
     }
+    this.#arrange(scenery);
+    renderer.autoClear = true;
+    renderer.setRenderTarget(this.#drawn);
+    const before = renderer.info.render.drawCalls;
+    renderer.render(scenery.scene, this.#cameras);
+    const calls = renderer.info.render.drawCalls - before;
+    this.#nearest.reduce(renderer, MOST_CUBEMAPS * i);
+    return calls;
   }
 
-  #arrange({ scene, select }: Scenery): void {
-    const proxies = select();
+  #arrange(scenery: Scenery): void {
+    const { scene } = scenery;
+    const proxies = scenery.select();
     this.#proxies.note(proxies);
     for (const proxy of proxies) giveOwnSkeleton(proxy);
     scene.children = this.#clipped.arrange(proxies);

@@ -1,0 +1,1 @@
+export { crowd as default } from './group.js';
