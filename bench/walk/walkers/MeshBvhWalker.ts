@@ -24,10 +24,10 @@ export class MeshBvhWalker implements Walker {
   readonly #onAxis = new Vector3();
   readonly #push = new Vector3();
 
-  constructor(geometry: BufferGeometry) {
-    const own = geometry.clone(); // its index will be sorted
+  /** @param level or one who walks in it already, whose tree it shares */
+  constructor(level: BufferGeometry | MeshBvhWalker) {
     const start = performance.now();
-    this.#bvh = new MeshBVH(own);
+    this.#bvh = level instanceof MeshBvhWalker ? level.#bvh : build(level);
     this.preparation = performance.now() - start;
   }
 
@@ -88,4 +88,9 @@ export class MeshBvhWalker implements Walker {
   dispose(): void {
     // nothing but memory
   }
+}
+
+function build(geometry: BufferGeometry): MeshBVH {
+  // Its index will be sorted.
+  return new MeshBVH(geometry.clone());
 }

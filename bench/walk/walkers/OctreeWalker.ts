@@ -19,16 +19,15 @@ export class OctreeWalker implements Walker {
   readonly waiting = 0;
   readonly preparation: number;
   grounded = false;
-  readonly #octree = new Octree();
+  readonly #octree: Octree;
   readonly #capsule = new Capsule(new Vector3(), new Vector3(), SHAPE.radius);
   readonly #velocity = new Vector3();
   readonly #travel = new Vector3();
 
-  constructor(geometry: BufferGeometry) {
-    const mesh = new Mesh(geometry);
-    mesh.updateMatrixWorld();
+  /** @param level or one who walks in it already, whose tree it shares */
+  constructor(level: BufferGeometry | OctreeWalker) {
     const start = performance.now();
-    this.#octree.fromGraphNode(mesh);
+    this.#octree = level instanceof OctreeWalker ? level.#octree : build(level);
     this.preparation = performance.now() - start;
   }
 
@@ -72,4 +71,10 @@ export class OctreeWalker implements Walker {
   dispose(): void {
     this.#octree.clear();
   }
+}
+
+function build(geometry: BufferGeometry): Octree {
+  const mesh = new Mesh(geometry);
+  mesh.updateMatrixWorld();
+  return new Octree().fromGraphNode(mesh);
 }

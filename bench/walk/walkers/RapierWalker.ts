@@ -6,6 +6,7 @@ import type { Walker } from './Walker.js';
 /** The gap it keeps, metres: the value of Rapier's guide. */
 const OFFSET = 0.01;
 const SLOPE = Math.PI / 4;
+const OTHERS = RAPIER.QueryFilterFlags.EXCLUDE_KINEMATIC;
 
 /**
  * Rapier's `KinematicCharacterController` as its guide sets it up: a kinematic body with a capsule, an offset, slopes to
@@ -18,17 +19,17 @@ export class RapierWalker implements Walker {
   readonly preparation: number;
   grounded = false;
   readonly #world: RAPIER.World;
+  readonly #guest: boolean;
   readonly #body: RAPIER.RigidBody;
   readonly #collider: RAPIER.Collider;
   readonly #controller: RAPIER.KinematicCharacterController;
   #rise = 0;
 
-  private constructor(geometry: BufferGeometry) {
+  /** @param level or one who walks in it already, whose world it shares: that one moves it on */
+  private constructor(level: BufferGeometry | RapierWalker) {
     const start = performance.now();
-    const position = geometry.attributes.position!.array as Float32Array;
-    const index = geometry.index?.array ?? Uint32Array.from({ length: position.length / 3 }, at);
-    this.#world = new RAPIER.World({ x: 0, y: -SHAPE.gravity, z: 0 });
-    this.#world.createCollider(RAPIER.ColliderDesc.trimesh(position, new Uint32Array(index)));
+    this.#guest = level instanceof RapierWalker;
+    this.#world = level instanceof RapierWalker ? level.#world : build(level);
     this.#body = this.#world.createRigidBody(RAPIER.RigidBodyDesc.kinematicPositionBased());
     this.#collider = this.#world.createCollider(
       RAPIER.ColliderDesc.capsule(SHAPE.height / 2 - SHAPE.radius, SHAPE.radius),
@@ -43,9 +44,9 @@ export class RapierWalker implements Walker {
     this.preparation = performance.now() - start;
   }
 
-  static async create(geometry: BufferGeometry): Promise<RapierWalker> {
+  static async create(level: BufferGeometry | RapierWalker): Promise<RapierWalker> {
     await ready();
-    return new RapierWalker(geometry);
+    return new RapierWalker(level);
   }
 
   place(foot: Vector3): void {
@@ -60,7 +61,8 @@ export class RapierWalker implements Walker {
     if (this.grounded) this.#rise = jump ? SHAPE.jumpSpeed : 0;
     this.#rise -= SHAPE.gravity * dt;
     const wanted = { x: velocity.x * dt, y: this.#rise * dt, z: velocity.z * dt };
-    this.#controller.computeColliderMovement(this.#collider, wanted);
+    // Walkers are no obstacles to each other.
+    this.#controller.computeColliderMovement(this.#collider, wanted, OTHERS);
     const travel = this.#controller.computedMovement();
     // Just off the ground it still counts as grounded: that must not end the jump.
     this.grounded = this.#rise <= 0 && this.#controller.computedGrounded();
@@ -68,8 +70,10 @@ export class RapierWalker implements Walker {
     if (wanted.y > 0 && travel.y < 0.5 * wanted.y) this.#rise = 0;
     const { x, y, z } = this.#body.translation();
     this.#body.setNextKinematicTranslation({ x: x + travel.x, y: y + travel.y, z: z + travel.z });
-    this.#world.timestep = dt;
-    this.#world.step();
+    if (!this.#guest) {
+      this.#world.timestep = dt;
+      this.#world.step();
+    }
     const now = this.#body.translation();
     this.foot.set(now.x, now.y - SHAPE.height / 2, now.z);
   }
@@ -79,8 +83,16 @@ export class RapierWalker implements Walker {
   }
 
   dispose(): void {
-    this.#world.free();
+    if (!this.#guest) this.#world.free();
   }
+}
+
+function build(geometry: BufferGeometry): RAPIER.World {
+  const position = geometry.attributes.position!.array as Float32Array;
+  const index = geometry.index?.array ?? Uint32Array.from({ length: position.length / 3 }, at);
+  const world = new RAPIER.World({ x: 0, y: -SHAPE.gravity, z: 0 });
+  world.createCollider(RAPIER.ColliderDesc.trimesh(position, new Uint32Array(index)));
+  return world;
 }
 
 let loaded: Promise<void> | null = null;
