@@ -98,6 +98,7 @@ export class FieldMemory {
     const { surfels, again, blocks } = this.kept[k]!;
     if (blocks[b] === UNKNOWN) {
       blocks[b] = NONE;
+      surfels.find(b);
       for (let i = surfels.first[b]!; i < surfels.first[b + 1]!; i++) {
         if (again[i] === 1) continue;
         if (this.#isSeenAgain(k, i)) again[i] = 1;

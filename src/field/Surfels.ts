@@ -1,12 +1,14 @@
 import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
-import { blocksOf } from './blocks.js';
+import { type Blocks, blocksOf, EDGE } from './blocks.js';
+import { FACES } from '../cube/faces.js';
 import { setCorners } from './corners.js';
 import { APART, COPLANAR_LINK, type Extents, findExtents } from './extents.js';
 import { isSeam } from './isSeam.js';
 import { STRIDE } from './layout.js';
 import { neighbours, SIDES } from './neighbours.js';
-import { AWAY, boundBlock, ENDS, GOES_ON, PIECE } from './pieces.js';
+import { AWAY, boundBlock, ENDS, GOES_ON, MIXED, PIECE } from './pieces.js';
 import type { SurfaceField } from './SurfaceField.js';
+import type { Texels } from './Texels.js';
 
 /**
  * A surface seen at a slant less than this (cosine between ray and normal) is told from so far aside that its texel's
@@ -15,6 +17,15 @@ import type { SurfaceField } from './SurfaceField.js';
 const LEAST_SLANT = 0.06;
 /** What of a surfel moves with its object. */
 const MOVING = 12;
+/** How far beyond its own border a texel's piece goes at most, in texels along each axis of the face: to the neighbour's middle. */
+const BEYOND = 0.5;
+/** The same, from its ray: which may pass half a texel beside its middle. */
+const ASIDE = 1.5;
+/** A block lies in one plane for sure if its texels' normals are closer than this, and none lies farther off, metres. */
+const SAME_NORMAL = 0.999999;
+const SAME_PLANE = 2e-5;
+/** As far as a piece goes from its point, metres: see `setCorners`. */
+const LONGEST = 1;
 
 /**
  * The surfels of one field: for each texel that saw something a piece of plane, as far as it is sure to reach.
@@ -24,6 +35,9 @@ const MOVING = 12;
  *
  * Numbers are relative to the field's centre and turned into the body's frame, whose Y is the character's up. A moved
  * object's surfels are carried along by its matrix (`carry`).
+ *
+ * Of a field most is never asked for: surfels are made block by block, by `find`, for who comes near one. Until then a
+ * block knows but how far it reaches at most.
  */
 export class Surfels {
   /** How many there are. */
@@ -39,6 +53,8 @@ export class Surfels {
   readonly block: Float32Array;
   /** Number of each block's first surfel, and behind the last block's last. */
   readonly first: Int32Array;
+  /** Each surfel's block. */
+  readonly blockOf: Uint16Array;
   /** For each of `SIDES` sides the number of the surfel that goes on there, or -1. */
   readonly link: Int32Array;
   /** As in the field: 1 + place in `objects`, or 0. */
@@ -67,6 +83,16 @@ export class Surfels {
   readonly #drawn: Float32Array;
   readonly #drawnPoses: Matrix4[] = [];
   readonly #extents: Extents;
+  /** The field's, kept for blocks that are found later. */
+  readonly #texels: Texels;
+  /** 1 for each block whose surfels are made. */
+  readonly #found: Uint8Array;
+  /** Of each block: how far the plane lies from the centre that it is in, and 1 if all its texels have surfels. */
+  readonly #offset: Float64Array;
+  readonly #whole: Uint8Array;
+  readonly #toBody = new Quaternion();
+  /** The character's, world axes. */
+  readonly #up = new Vector3();
 
   constructor(readonly resolution: number) {
     const count = 6 * resolution * resolution;
@@ -76,6 +102,10 @@ export class Surfels {
     const blocks = blocksOf(resolution);
     this.block = new Float32Array(PIECE * blocks.count);
     this.first = new Int32Array(blocks.count + 1);
+    this.#found = new Uint8Array(blocks.count);
+    this.#offset = new Float64Array(blocks.count);
+    this.#whole = new Uint8Array(blocks.count);
+    this.blockOf = new Uint16Array(count);
     this.link = new Int32Array(SIDES * count);
     this.object = new Uint16Array(count);
     this.instance = new Uint32Array(count);
@@ -85,6 +115,13 @@ export class Surfels {
       reach: new Float32Array(SIDES * count),
       link: new Uint8Array(SIDES * count),
     };
+    this.#texels = {
+      resolution,
+      direction: new Float32Array(3 * count),
+      distance: this.distance,
+      normal: new Float32Array(3 * count),
+      front: new Uint8Array(count),
+    };
   }
 
   /**
@@ -93,8 +130,11 @@ export class Surfels {
    * @param toBody turns world axes into the body's
    */
   fill(field: SurfaceField, toBody: Quaternion): this {
-    const { count, direction, distance, normal, resolution } = field;
-    this.distance.set(distance);
+    const { direction, normal } = this.#texels;
+    this.distance.set(field.distance);
+    direction.set(field.direction);
+    normal.set(field.normal);
+    this.#texels.front.set(field.front);
     this.center.copy(field.center);
     this.origin.copy(field.center).applyQuaternion(toBody);
     this.far = field.far;
@@ -109,56 +149,233 @@ export class Surfels {
       (this.#drawnPoses[i] ??= new Matrix4()).copy(field.matrices[i]!);
     }
 
+    this.#toBody.copy(toBody);
+    this.#up.set(0, 1, 0).applyQuaternion(toWorld.copy(toBody).conjugate());
+    this.#found.fill(0);
+    this.#number(field);
+    return this;
+  }
+
+  /**
+   * Makes the surfels of block `b`, if they are not made yet; to be called before anything of them is looked at. Allocates
+   * nothing.
+   *
+   * @returns whether they were not: the block then reaches less far than it was said to
+   */
+  find(b: number): boolean {
+    if (this.#found[b] === 1) return false;
+    this.#found[b] = 1;
+    const { resolution, data, distance, link, ofTexel, piece } = this;
+    const { texels, first } = blocksOf(resolution);
     const table = neighbours(resolution);
-    up.set(0, 1, 0).applyQuaternion(toWorld.copy(toBody).conjugate());
-    findExtents(field, table, up, this.#extents);
-    const { data, link, ofTexel } = this;
-    const blocks = blocksOf(resolution);
-    let n = 0;
-    for (let a = 0, b = 0; a < count; a++) {
-      if (blocks.first[b] === a) this.first[b++] = n;
-      const texel = blocks.texels[a]!;
-      const k = 3 * texel;
-      const slant =
-        normal[k]! * direction[k]! +
-        normal[k + 1]! * direction[k + 1]! +
-        normal[k + 2]! * direction[k + 2]!;
-      const seen = distance[texel]! < Infinity && slant < -LEAST_SLANT;
-      ofTexel[texel] = seen && !isSeam(field, texel, table) ? n++ : -1;
+    const end = first[b + 1]!;
+    for (let a = first[b]!; a < end; a++) {
+      const texel = texels[a]!;
+      if (distance[texel]! < Infinity) {
+        findExtents(this.#texels, texel, table, this.#up, this.#extents);
+      }
     }
-    this.count = this.first[blocks.count] = n;
-    const turn = toBody.w !== 1;
-    for (let texel = 0; texel < count; texel++) {
+    const turn = this.#toBody.w !== 1;
+    const { direction, normal } = this.#texels;
+    for (let a = first[b]!; a < end; a++) {
+      const texel = texels[a]!;
       const i = ofTexel[texel]!;
       if (i < 0) continue;
       const k = 3 * texel;
       const d = distance[texel]!;
       const o = STRIDE * i;
-      data[o] = direction[k]! * d;
-      data[o + 1] = direction[k + 1]! * d;
-      data[o + 2] = direction[k + 2]! * d;
-      data[o + 3] = normal[k]!;
-      data[o + 4] = normal[k + 1]!;
-      data[o + 5] = normal[k + 2]!;
+      for (let v = 0; v < 3; v++) {
+        data[o + v] = direction[k + v]! * d;
+        data[o + 3 + v] = normal[k + v]!;
+      }
       tangents(data, o);
-      this.piece[PIECE * i + 3] = setCorners(data, o, field, texel, table, this.#extents);
-      if (turn) for (let v = 0; v < 12; v += 3) rotate(data, o + v, toBody);
+      setCorners(data, o, this.#texels, texel, table, this.#extents, piece, PIECE * i + 3);
+      if (turn) for (let v = 0; v < MOVING; v += 3) rotate(data, o + v, this.#toBody);
       let kind = GOES_ON;
       for (let side = 0; side < SIDES; side++) {
         const goes = this.#extents.link[SIDES * texel + side]!;
         link[SIDES * i + side] = goes === APART ? -1 : ofTexel[table[SIDES * texel + side]!]!;
         if (goes !== COPLANAR_LINK) kind = ENDS;
       }
-      this.piece[PIECE * i + 7] = kind;
-      this.object[i] = field.object[texel]!;
-      this.instance[i] = field.instance[texel]!;
-    }
-    for (let i = 0; i < n; i++) {
-      for (let v = 0; v < MOVING; v++) this.#drawn[MOVING * i + v] = data[STRIDE * i + v]!;
+      piece[PIECE * i + 7] = kind;
+      for (let v = 0; v < MOVING; v++) this.#drawn[MOVING * i + v] = data[o + v]!;
       this.#setPiece(i);
     }
-    for (let b = 0; b < blocks.count; b++) this.#bound(b);
+    this.#bound(b);
+    return true;
+  }
+
+  /** Makes them all: for tests and tools. */
+  findAll(): this {
+    for (let b = 0; b < this.#found.length; b++) this.find(b);
     return this;
+  }
+
+  /** Gives surfels their numbers and their owners, and blocks a reach that none exceeds. */
+  #number(field: SurfaceField): void {
+    const { resolution, distance, ofTexel, object, instance, blockOf, block } = this;
+    const { direction, normal } = this.#texels;
+    const blocks = blocksOf(resolution);
+    const table = neighbours(resolution);
+    // Tangent of the angle between a ray and one through the farthest corner.
+    const aside = (ASIDE * Math.SQRT2 * 2) / resolution;
+    let n = 0;
+    for (let b = 0; b < blocks.count; b++) {
+      const begin = n;
+      this.first[b] = n;
+      let x = 0;
+      let y = 0;
+      let z = 0;
+      const o = PIECE * b;
+      // Of the first, for all if they lie in one plane.
+      let offset = 0;
+      let flat = true;
+      const end = blocks.first[b + 1]!;
+      for (let a = blocks.first[b]!; a < end; a++) {
+        const texel = blocks.texels[a]!;
+        const d = distance[texel]!;
+        ofTexel[texel] = -1;
+        if (d === Infinity) continue;
+        const k = 3 * texel;
+        const rx = direction[k]!;
+        const ry = direction[k + 1]!;
+        const rz = direction[k + 2]!;
+        const slant = -(normal[k]! * rx + normal[k + 1]! * ry + normal[k + 2]! * rz);
+        if (slant <= LEAST_SLANT || isSeam(this.#texels, texel, table)) continue;
+        const p = 4 * (n - begin);
+        rough[p] = d * rx;
+        rough[p + 1] = d * ry;
+        rough[p + 2] = d * rz;
+        // How far a ray so much aside may meet its plane.
+        rough[p + 3] = slant > aside ? Math.min(LONGEST, (d * aside) / (slant - aside)) : LONGEST;
+        x += rough[p]!;
+        y += rough[p + 1]!;
+        z += rough[p + 2]!;
+        if (n === begin) {
+          for (let v = 0; v < 3; v++) block[o + 4 + v] = normal[k + v]!;
+          offset = -d * slant;
+        } else if (flat) {
+          const along = block[o + 4]! * rx + block[o + 5]! * ry + block[o + 6]! * rz;
+          const alike =
+            block[o + 4]! * normal[k]! +
+            block[o + 5]! * normal[k + 1]! +
+            block[o + 6]! * normal[k + 2]!;
+          flat = alike > SAME_NORMAL && Math.abs(d * along - offset) < SAME_PLANE;
+        }
+        object[n] = field.object[texel]!;
+        instance[n] = field.instance[texel]!;
+        blockOf[n] = b;
+        ofTexel[texel] = n++;
+      }
+      const count = n - begin;
+      block[o + 7] = flat ? ENDS : MIXED;
+      this.#offset[b] = offset;
+      this.#whole[b] = count === end - blocks.first[b]! ? 1 : 0;
+      if (count === 0) {
+        block[o] = AWAY;
+        block[o + 1] = block[o + 2] = block[o + 3] = 0;
+        this.#found[b] = 1;
+        continue;
+      }
+      x /= count;
+      y /= count;
+      z /= count;
+      block[o] = x;
+      block[o + 1] = y;
+      block[o + 2] = z;
+      let extent = flat ? this.#flatExtent(b, offset, blocks) : Infinity;
+      if (extent === Infinity) {
+        extent = 0;
+        for (let p = 0; p < 4 * count; p += 4) {
+          const dx = rough[p]! - x;
+          const dy = rough[p + 1]! - y;
+          const dz = rough[p + 2]! - z;
+          const far = Math.sqrt(dx * dx + dy * dy + dz * dz) + rough[p + 3]!;
+          if (far > extent) extent = far;
+        }
+      }
+      block[o + 3] = extent;
+    }
+    this.count = this.first[blocks.count] = n;
+    this.#findMidsts(blocks);
+    if (this.#toBody.w === 1) return;
+    for (let b = 0; b < blocks.count; b++) {
+      if (block[PIECE * b] === AWAY) continue;
+      rotate(block, PIECE * b, this.#toBody);
+      rotate(block, PIECE * b + 4, this.#toBody);
+    }
+  }
+
+  /**
+   * How far from its middle anything of a block can lie that is in one plane: where the rays around what it saw, half a
+   * texel farther out, meet that.
+   *
+   * @returns metres; Infinity where they do not
+   */
+  #flatExtent(b: number, offset: number, { texels, first }: Blocks): number {
+    const { block, ofTexel, resolution: n } = this;
+    const o = PIECE * b;
+    let x0 = n;
+    let x1 = 0;
+    let y0 = n;
+    let y1 = 0;
+    const end = first[b + 1]!;
+    for (let a = first[b]!; a < end; a++) {
+      const texel = texels[a]!;
+      if (ofTexel[texel]! < 0) continue;
+      const x = texel % n;
+      const y = Math.floor(texel / n) % n;
+      x0 = Math.min(x0, x);
+      x1 = Math.max(x1, x);
+      y0 = Math.min(y0, y);
+      y1 = Math.max(y1, y);
+    }
+    const { forward: f, right: r, up: u } = FACES[Math.floor(texels[end - 1]! / (n * n))]!;
+    const step = 2 / n;
+    const left = step * (x0 - BEYOND) - 1;
+    const right = step * (x1 + 1 + BEYOND) - 1;
+    const bottom = step * (y0 - BEYOND) - 1;
+    const top = step * (y1 + 1 + BEYOND) - 1;
+    let farthest = 0;
+    for (let c = 0; c < 4; c++) {
+      const across = (c & 1) === 0 ? left : right;
+      const up = c < 2 ? bottom : top;
+      const rx = f[0] + across * r[0] + up * u[0];
+      const ry = f[1] + across * r[1] + up * u[1];
+      const rz = f[2] + across * r[2] + up * u[2];
+      const depth = offset / (block[o + 4]! * rx + block[o + 5]! * ry + block[o + 6]! * rz);
+      if (!(depth > 0 && depth < Infinity)) return Infinity;
+      const x = depth * rx - block[o]!;
+      const y = depth * ry - block[o + 1]!;
+      const z = depth * rz - block[o + 2]!;
+      const squared = x * x + y * y + z * z;
+      if (squared > farthest) farthest = squared;
+    }
+    return Math.sqrt(farthest);
+  }
+
+  /** Which blocks lie in the midst of a plane: floors and walls are told apart without a closer look. */
+  #findMidsts({ count, beside }: Blocks): void {
+    const { block } = this;
+    for (let b = 0; b < count; b++) {
+      const o = PIECE * b;
+      if (block[o + 7] === MIXED || this.#whole[b] === 0) continue;
+      let around = 0;
+      for (let side = SIDES * b; side < SIDES * (b + 1); side++) {
+        const other = beside[side]!;
+        if (other < 0 || this.#whole[other] === 0) break;
+        const p = PIECE * other;
+        if (block[p + 7] === MIXED) break;
+        const alike =
+          block[o + 4]! * block[p + 4]! +
+          block[o + 5]! * block[p + 5]! +
+          block[o + 6]! * block[p + 6]!;
+        if (!(alike > SAME_NORMAL)) break;
+        if (!(Math.abs(this.#offset[b]! - this.#offset[other]!) < SAME_PLANE)) break;
+        around++;
+      }
+      if (around === SIDES) block[o + 7] = GOES_ON;
+    }
   }
 
   /**
@@ -172,6 +389,7 @@ export class Surfels {
    * @returns whether they hold
    */
   carry(id: number, toBody: Quaternion, now = this.objects[id - 1]!.matrixWorld): boolean {
+    this.#findThoseOf(id);
     this.poses[id - 1]!.copy(now);
     this.moved[id] = 1;
     since
@@ -197,6 +415,7 @@ export class Surfels {
    * @param toBody turns world axes into the body's
    */
   bend(id: number, instance: number, way: Matrix4, toBody: Quaternion): void {
+    this.#findThoseOf(id);
     this.moved[id] = 1;
     since.copy(way);
     if (isRigid(since)) this.#move(id, instance, toBody, this.data, STRIDE);
@@ -245,6 +464,19 @@ export class Surfels {
     }
   }
 
+  /** What is to be moved must be made. */
+  #findThoseOf(id: number): void {
+    const { first, object } = this;
+    for (let b = 0; b < first.length - 1; b++) {
+      if (this.#found[b] === 1) continue;
+      for (let i = first[b]!; i < first[b + 1]!; i++) {
+        if (object[i] !== id) continue;
+        this.find(b);
+        break;
+      }
+    }
+  }
+
   #bound(b: number): void {
     boundBlock(this.piece, this.first[b]!, this.first[b + 1]!, this.block, b);
   }
@@ -258,7 +490,8 @@ export class Surfels {
   }
 }
 
-const up = /* @__PURE__ */ new Vector3();
+/** Of a block's surfels: point, and how far they reach from it. */
+const rough = /* @__PURE__ */ new Float64Array(4 * EDGE * EDGE);
 const toWorld = /* @__PURE__ */ new Quaternion();
 const since = /* @__PURE__ */ new Matrix4();
 const toBodyMatrix = /* @__PURE__ */ new Matrix4();

@@ -1,7 +1,8 @@
 import { texelIndex } from '../cube/atlas.js';
+import { neighbours, SIDES } from './neighbours.js';
 
 /** Texels along a block's edge. */
-const EDGE = 4;
+export const EDGE = 4;
 
 /** Square blocks of texels: what lies side by side in the cubemap lies near by in the world. */
 export interface Blocks {
@@ -11,6 +12,8 @@ export interface Blocks {
   readonly texels: Int32Array;
   /** Where each block begins in `texels`, and where the last one ends. */
   readonly first: Int32Array;
+  /** For each side of each block the block that lies beside it, or -1 where that may be several. */
+  readonly beside: Int32Array;
 }
 
 const known = new Map<number, Blocks>();
@@ -46,5 +49,25 @@ function makeBlocks(n: number): Blocks {
     }
   }
   first[block] = filled;
-  return { count, texels, first };
+  return { count, texels, first, beside: findBeside(n, texels, first) };
+}
+
+function findBeside(n: number, texels: Int32Array, first: Int32Array): Int32Array {
+  const count = first.length - 1;
+  const beside = new Int32Array(SIDES * count).fill(-1);
+  if (n % EDGE !== 0) return beside;
+  const blockOf = new Int32Array(texels.length);
+  for (let b = 0; b < count; b++) {
+    for (let a = first[b]!; a < first[b + 1]!; a++) blockOf[texels[a]!] = b;
+  }
+  const table = neighbours(n);
+  for (let b = 0; b < count; b++) {
+    for (let a = first[b]!; a < first[b + 1]!; a++) {
+      for (let side = 0; side < SIDES; side++) {
+        const other = blockOf[table[SIDES * texels[a]! + side]!]!;
+        if (other !== b) beside[SIDES * b + side] = other;
+      }
+    }
+  }
+  return beside;
 }

@@ -2,7 +2,12 @@ import { FACES } from '../cube/faces.js';
 import { CREASE, type Extents, meeting } from './extents.js';
 import { CORNERS, MOST_CORNERS } from './layout.js';
 import { SIDES } from './neighbours.js';
-import type { SurfaceField } from './SurfaceField.js';
+import type { Texels } from './Texels.js';
+
+/** Of each face the axes: forward, right and up. */
+const AXES = /* @__PURE__ */ FACES.map(
+  ({ forward, right, up }) => new Float64Array([...forward, ...right, ...up]),
+);
 
 /** A polygon being cut, and what is left of it. */
 let polygon = new Float32Array(2 * (MOST_CORNERS + 1));
@@ -12,19 +17,21 @@ let cut = new Float32Array(2 * (MOST_CORNERS + 1));
  * Where the rays through the corners of what the texel reaches meet its plane, cut at the creases with all eight
  * neighbours, in tangent coordinates. Written into `data`, behind the surfel's planes at `o`.
  *
- * @param table `neighbours(field.resolution)`
- * @returns how far from its point the farthest lies, metres
+ * @param table `neighbours(texels.resolution)`
+ * @param piece takes how far from its point the farthest lies, metres, at `p`
  */
 export function setCorners(
   data: Float32Array,
   o: number,
-  field: SurfaceField,
+  texels: Texels,
   texel: number,
   table: Int32Array,
   { reach, link }: Extents,
-): number {
-  const n = field.resolution;
-  const { forward: f, right: r, up: u } = FACES[Math.floor(texel / (n * n))]!;
+  piece: Float32Array,
+  p: number,
+): void {
+  const n = texels.resolution;
+  const face = AXES[Math.floor(texel / (n * n))]!;
   const x = texel % n;
   const y = Math.floor(texel / n) % n;
   const s = SIDES * texel;
@@ -34,22 +41,48 @@ export function setCorners(
   const nx = data[o + 3]!;
   const ny = data[o + 4]!;
   const nz = data[o + 5]!;
+  const tx = data[o + 6]!;
+  const ty = data[o + 7]!;
+  const tz = data[o + 8]!;
+  const bx = data[o + 9]!;
+  const by = data[o + 10]!;
+  const bz = data[o + 11]!;
   const offset = nx * px + ny * py + nz * pz;
+  const alongOwn = tx * px + ty * py + tz * pz;
+  const acrossOwn = bx * px + by * py + bz * pz;
+  // The ray through a corner is forward + a·right + b·up: each product with it is made of three, found once.
+  const fx = face[0]!;
+  const fy = face[1]!;
+  const fz = face[2]!;
+  const rx = face[3]!;
+  const ry = face[4]!;
+  const rz = face[5]!;
+  const ux = face[6]!;
+  const uy = face[7]!;
+  const uz = face[8]!;
+  const nf = nx * fx + ny * fy + nz * fz;
+  const nr = nx * rx + ny * ry + nz * rz;
+  const nu = nx * ux + ny * uy + nz * uz;
+  const tf = tx * fx + ty * fy + tz * fz;
+  const tr = tx * rx + ty * ry + tz * rz;
+  const tu = tx * ux + ty * uy + tz * uz;
+  const bf = bx * fx + by * fy + bz * fz;
+  const br = bx * rx + by * ry + bz * rz;
+  const bu = bx * ux + by * uy + bz * uz;
+  const step = 2 / n;
+  const middleX = (x + 0.5) * step - 1;
+  const middleY = (y + 0.5) * step - 1;
+  const right = middleX + step * reach[s]!;
+  const left = middleX - step * reach[s + 1]!;
+  const top = middleY + step * reach[s + 2]!;
+  const bottom = middleY - step * reach[s + 3]!;
   for (let c = 0; c < 4; c++) {
     // Counter-clockwise: (+x, +y), (-x, +y), (-x, -y), (+x, -y).
-    const dx = c === 0 || c === 3 ? reach[s]! : -reach[s + 1]!;
-    const dy = c < 2 ? reach[s + 2]! : -reach[s + 3]!;
-    const a = (2 * (x + dx) + 1) / n - 1;
-    const b = (2 * (y + dy) + 1) / n - 1;
-    const rx = f[0] + a * r[0] + b * u[0];
-    const ry = f[1] + a * r[1] + b * u[1];
-    const rz = f[2] + a * r[2] + b * u[2];
-    const depth = offset / (nx * rx + ny * ry + nz * rz);
-    const qx = depth * rx - px;
-    const qy = depth * ry - py;
-    const qz = depth * rz - pz;
-    let along = qx * data[o + 6]! + qy * data[o + 7]! + qz * data[o + 8]!;
-    let across = qx * data[o + 9]! + qy * data[o + 10]! + qz * data[o + 11]!;
+    const a = c === 0 || c === 3 ? right : left;
+    const b = c < 2 ? top : bottom;
+    const depth = offset / (nf + a * nr + b * nu);
+    let along = depth * (tf + a * tr + b * tu) - alongOwn;
+    let across = depth * (bf + a * br + b * bu) - acrossOwn;
     // Edge-on, a ray may miss the plane or meet it far away: no extent is better than a wild one.
     if (!(depth > 0 && along * along + across * across < 1)) along = across = 0;
     polygon[2 * c] = along;
@@ -58,7 +91,7 @@ export function setCorners(
   let corners = 4;
   for (let side = 0; side < SIDES; side++) {
     if (link[s + side] !== CREASE) continue;
-    corners = cutAt(data, field, table[s + side]!, o, corners);
+    corners = cutAt(data, texels, table[s + side]!, o, corners);
   }
   for (let dy = -1; dy <= 1; dy += 2) {
     if (y + dy < 0 || y + dy >= n) continue;
@@ -66,14 +99,14 @@ export function setCorners(
       if (x + dx < 0 || x + dx >= n) continue;
       const j = texel + dy * n + dx;
       const k = 3 * j;
-      const { normal } = field;
+      const { normal } = texels;
       // Alike, there is nothing to cut.
       const same =
         normal[k]! * normal[3 * texel]! +
         normal[k + 1]! * normal[3 * texel + 1]! +
         normal[k + 2]! * normal[3 * texel + 2]!;
-      if (same > 0.9999 || meeting(field, texel, j) !== CREASE) continue;
-      corners = cutAt(data, field, j, o, corners);
+      if (same > 0.9999 || meeting(texels, texel, j) !== CREASE) continue;
+      corners = cutAt(data, texels, j, o, corners);
     }
   }
   let extent = 0;
@@ -85,19 +118,13 @@ export function setCorners(
     extent = Math.max(extent, along * along + across * across);
   }
   data[o + CORNERS] = corners;
-  return Math.sqrt(extent);
+  piece[p] = Math.sqrt(extent);
 }
 
 /** Cuts `polygon`, in the plane of the surfel at `o`, along the plane of texel `j`. */
-function cutAt(
-  data: Float32Array,
-  field: SurfaceField,
-  j: number,
-  o: number,
-  corners: number,
-): number {
+function cutAt(data: Float32Array, texels: Texels, j: number, o: number, corners: number): number {
   if (corners === MOST_CORNERS) return corners;
-  const { direction, distance, normal } = field;
+  const { direction, distance, normal } = texels;
   const k = 3 * j;
   const mx = normal[k]!;
   const my = normal[k + 1]!;

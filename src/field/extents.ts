@@ -1,7 +1,8 @@
 import type { Vector3 } from 'three';
 import { FACES } from '../cube/faces.js';
+import { EDGE } from './blocks.js';
 import { SIDES } from './neighbours.js';
-import type { SurfaceField } from './SurfaceField.js';
+import type { Texels } from './Texels.js';
 
 /** Planes whose texels agree on each other's distance to this part of it are one plane. */
 const COPLANAR = 1e-3;
@@ -33,62 +34,69 @@ export interface Extents {
 }
 
 /**
- * How far each texel's piece of surface is sure to go toward each neighbour: half-way where both lie in one plane, to
+ * How far a texel's piece of surface is sure to go toward each neighbour: half-way where both lie in one plane, to
  * the crease where their two planes meet between their rays; at a silhouette of what one stands on a little, but no farther
  * than 15 mm; and not at all behind what hides it.
  *
  * Curved ground comes out smooth: the tangent planes of two near points of it meet about half-way.
  *
- * @param table `neighbours(field.resolution)`
+ * @param i the texel; of a block all that come before it are known already
+ * @param table `neighbours(texels.resolution)`
  * @param up the character's, unit vector, world axes
  */
 export function findExtents(
-  field: SurfaceField,
+  texels: Texels,
+  i: number,
   table: Int32Array,
   up: Vector3,
   target: Extents,
 ): void {
-  const { count, distance, direction, normal, resolution } = field;
+  const { distance, direction, normal, resolution } = texels;
   const { reach, link } = target;
-  link.fill(APART);
-  const perFace = resolution * resolution;
-  for (let i = 0; i < count; i++) {
-    const di = distance[i]!;
-    if (di === Infinity) continue;
-    const s = SIDES * i;
-    const k = 3 * i;
-    const rx = direction[k]!;
-    const ry = direction[k + 1]!;
-    const rz = direction[k + 2]!;
-    const { forward: f, right: r, up: u } = FACES[Math.floor(i / perFace)]!;
-    // A supersampled texel's ray need not pass through its middle.
-    const scale = (0.5 * resolution) / (rx * f[0] + ry * f[1] + rz * f[2]);
-    const middle = 0.5 * resolution - 0.5;
-    const offX = scale * (rx * r[0] + ry * r[1] + rz * r[2]) + middle - (i % resolution);
-    const row = Math.floor(i / resolution) % resolution;
-    const offY = scale * (rx * u[0] + ry * u[1] + rz * u[2]) + middle - row;
-    const slant = rx * normal[k]! + ry * normal[k + 1]! + rz * normal[k + 2]!;
-    const rise = up.x * normal[k]! + up.y * normal[k + 1]! + up.z * normal[k + 2]!;
-    for (let side = 0; side < SIDES; side++) {
-      const j = table[s + side]!;
-      const meets = meeting(field, i, j);
-      link[s + side] = meets;
-      if (meets === COPLANAR_LINK) {
-        reach[s + side] = 0.5;
-      } else if (meets === CREASE) {
-        reach[s + side] = 1;
-      } else {
-        const outward = side === 0 ? offX : side === 1 ? -offX : side === 2 ? offY : -offY;
-        const seen = rise > STANDING && distance[j]! > di * BEHIND;
-        reach[s + side] = outward + (seen ? guess(di, slant, resolution) : 0);
-      }
+  const di = distance[i]!;
+  const s = SIDES * i;
+  const k = 3 * i;
+  const rx = direction[k]!;
+  const ry = direction[k + 1]!;
+  const rz = direction[k + 2]!;
+  const column = i % resolution;
+  const row = Math.floor(i / resolution) % resolution;
+  // Where the ray passes beside the texel's middle, in texels: drawn finer, it may. Found where it is asked for.
+  let offX = NaN;
+  let offY = NaN;
+  for (let side = 0; side < SIDES; side++) {
+    const j = table[s + side]!;
+    // Two of a block meet each other alike.
+    const before = (side === 1 && column % EDGE > 0) || (side === 3 && row % EDGE > 0);
+    const meets =
+      before && distance[j]! < Infinity ? link[SIDES * j + side - 1]! : meeting(texels, i, j);
+    link[s + side] = meets;
+    if (meets === COPLANAR_LINK) {
+      reach[s + side] = 0.5;
+      continue;
     }
+    if (meets === CREASE) {
+      reach[s + side] = 1;
+      continue;
+    }
+    if (Number.isNaN(offX)) {
+      const { forward: f, right: r, up: u } = FACES[Math.floor(i / (resolution * resolution))]!;
+      const scale = (0.5 * resolution) / (rx * f[0] + ry * f[1] + rz * f[2]);
+      const middle = 0.5 * resolution - 0.5;
+      offX = scale * (rx * r[0] + ry * r[1] + rz * r[2]) + middle - column;
+      offY = scale * (rx * u[0] + ry * u[1] + rz * u[2]) + middle - row;
+    }
+    const outward = side === 0 ? offX : side === 1 ? -offX : side === 2 ? offY : -offY;
+    const rise = up.x * normal[k]! + up.y * normal[k + 1]! + up.z * normal[k + 2]!;
+    const seen = rise > STANDING && distance[j]! > di * BEHIND;
+    const slant = rx * normal[k]! + ry * normal[k + 1]! + rz * normal[k + 2]!;
+    reach[s + side] = outward + (seen ? guess(di, slant, resolution) : 0);
   }
 }
 
 /** How the surfaces of texels `i` and `j`, side by side, go together. */
-export function meeting(field: SurfaceField, i: number, j: number): number {
-  const { distance, direction, normal } = field;
+export function meeting(texels: Texels, i: number, j: number): number {
+  const { distance, direction, normal } = texels;
   const di = distance[i]!;
   const dj = distance[j]!;
   if (dj === Infinity) return APART;

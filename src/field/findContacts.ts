@@ -71,7 +71,9 @@ function findIn(
   notes = 0;
   let n = 0;
   for (let b = 0; b < first.length - 1; b++) {
-    if (isOutOfReach(block, PIECE * b) || !memory.hasOwn(kept, b)) continue;
+    if (isOutOfReach(block, PIECE * b)) continue;
+    if (surfels.find(b) && isOutOfReach(block, PIECE * b)) continue;
+    if (!memory.hasOwn(kept, b)) continue;
     for (let i = first[b]!; i < first[b + 1]!; i++) {
       if (again[i] === 1 || isOutOfReach(piece, PIECE * i)) continue;
       note(field, i);
@@ -136,7 +138,10 @@ function goesOnNearer(field: KeptField, i: number): boolean {
     const j = link[SIDES * i + side]!;
     if (j < 0) continue;
     // It may not have been of interest itself.
-    if (distance[j] === Infinity) note(field, j);
+    if (distance[j] === Infinity) {
+      surfels.find(surfels.blockOf[j]!);
+      note(field, j);
+    }
     if (!(distance[j]! < distance[i]! - NEARER)) continue;
     // Moved apart, they are neighbours no more.
     const a = object[i]!;

@@ -29,7 +29,9 @@ export function hasTread(
     query[4] = capsule.y + high - origin.y;
     query[5] = slope;
     for (let b = 0; b < first.length - 1; b++) {
-      if (!mayBeTread(block, PIECE * b) || !memory.hasOwn(k, b)) continue;
+      if (!mayBeTread(block, PIECE * b)) continue;
+      if (surfels.find(b) && !mayBeTread(block, PIECE * b)) continue;
+      if (!memory.hasOwn(k, b)) continue;
       for (let i = first[b]!; i < first[b + 1]!; i++) {
         if (again[i] === 0 && mayBeTread(piece, PIECE * i)) return true;
       }

@@ -1,5 +1,5 @@
 import { SIDES } from './neighbours.js';
-import type { SurfaceField } from './SurfaceField.js';
+import type { Texels } from './Texels.js';
 
 /** A back this near to its neighbour's front, along the ray, is seen through their common edge, metres. */
 const SEAM = 0.01;
@@ -13,10 +13,10 @@ const SAME_NORMAL = 0.999;
  *
  * Such a texel is alone: a back that can be seen goes on in its neighbours.
  *
- * @param table `neighbours(field.resolution)`
+ * @param table `neighbours(texels.resolution)`
  */
-export function isSeam(field: SurfaceField, i: number, table: Int32Array): boolean {
-  const { direction, distance, front, normal } = field;
+export function isSeam(texels: Texels, i: number, table: Int32Array): boolean {
+  const { direction, distance, front, normal } = texels;
   if (front[i] === 1) return false;
   const k = 3 * i;
   let meetsFront = false;

@@ -44,15 +44,23 @@ export function isSeenAgain(
     toWorldAxes(toBody);
     const texel = directionTexel(world[0]!, world[1]!, world[2]!, newer.resolution);
     const j = newer.ofTexel[texel]!;
-    if (j < 0 || newer.piece[PIECE * j + 7] !== GOES_ON || objectOf(newer, j) !== object) {
-      return false;
+    if (j < 0 || objectOf(newer, j) !== object) return false;
+    const b = newer.blockOf[j]!;
+    // In the midst of a plane what holds of the block holds of all in it.
+    let plane = newer.block;
+    let p = PIECE * b;
+    if (plane[p + 7] !== GOES_ON) {
+      newer.find(b);
+      plane = newer.piece;
+      p = PIECE * j;
+      if (plane[p + 7] !== GOES_ON) return false;
     }
     let alike = 0;
     let off = 0;
     for (let v = 0; v < 3; v++) {
-      const n = newer.piece[PIECE * j + 4 + v]!;
+      const n = plane[p + 4 + v]!;
       alike += n * data[o + 3 + v]!;
-      off += n * (own[v]! - newer.piece[PIECE * j + v]!);
+      off += n * (own[v]! - plane[p + v]!);
     }
     if (alike < SAME_NORMAL || Math.abs(off) > SAME_PLANE) return false;
   }

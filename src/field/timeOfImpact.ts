@@ -61,7 +61,9 @@ export function timeOfImpact(
     query[2] = capsule.y + radius - origin.y;
     query[3] = Math.max(query[2]!, capsule.y + capsule.height - radius - origin.y);
     for (let b = 0; b < first.length - 1; b++) {
-      if (passesBy(block, PIECE * b) || !memory.hasOwn(k, b)) continue;
+      if (passesBy(block, PIECE * b)) continue;
+      if (surfels.find(b) && passesBy(block, PIECE * b)) continue;
+      if (!memory.hasOwn(k, b)) continue;
       for (let i = first[b]!; i < first[b + 1]!; i++) {
         if (again[i] === 1 || passesBy(piece, PIECE * i)) continue;
         if (id !== 0 && object[i] !== id) continue;

@@ -96,6 +96,7 @@ describe('FieldMemory', () => {
       const yard = randomWorld(() => between(0, 1));
       const memory = new FieldMemory(UPRIGHT);
       for (const x of [0, 0.3, 0.5]) memory.take(drawn(yard, new Vector3(x, 0.9, 0.4 * x), {}));
+      for (const { surfels } of memory.kept) surfels.findAll();
       for (let k = 1; k < 3; k++) {
         const { surfels, again } = memory.kept[k]!;
         for (let b = 0; b < surfels.first.length - 1; b++) memory.hasOwn(k, b);
@@ -155,7 +156,7 @@ describe('pieces', () => {
     const between = dice(62);
     const box = new Box(0.3, 0.4, 0.3, 'box').at(-0.7, 0.2, 0).turn({ yaw: 0.4, roll: 0.3 });
     const memory = remembered(new World(ground(), wall(0.6), box), EYE);
-    const { surfels } = memory.kept[0]!;
+    const surfels = memory.kept[0]!.surfels.findAll();
     const { block, first, link, origin, piece } = surfels;
     let near = 0;
     for (let run = 0; run < 4; run++) {

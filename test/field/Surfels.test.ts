@@ -1,11 +1,12 @@
 import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { GOES_ON, PIECE } from '../../src/field/pieces.js';
+import { GOES_ON, MIXED, PIECE } from '../../src/field/pieces.js';
 import { STRIDE } from '../../src/field/layout.js';
 import { finerDirection } from '../../src/cube/finerTexel.js';
 import { SurfaceField, type SurfaceSampler } from '../../src/field/SurfaceField.js';
 import { Surfels } from '../../src/field/Surfels.js';
 import { cornersOf, dice, drawn, unionDistance, UPRIGHT } from '../support/fields.js';
+import { randomWorld } from '../support/world/randomWorld.js';
 import { Ball, Box, ground, Plane, room } from '../support/world/scenes.js';
 import { World } from '../support/world/World.js';
 
@@ -13,7 +14,7 @@ const MILLIMETRE = 1e-3;
 
 function surfelsOf(world: World, center: Vector3, options = {}, toBody = UPRIGHT): Surfels {
   const field = drawn(world, center, options);
-  return new Surfels(field.resolution).fill(field, toBody);
+  return new Surfels(field.resolution).fill(field, toBody).findAll();
 }
 
 function everyCorner(surfels: Surfels, object = 0): Vector3[] {
@@ -164,7 +165,7 @@ describe('Surfels of a wall whose top is just above the eye', () => {
     const field = new SurfaceField(32, 1.8, directions);
     const surfels = new Surfels(32);
     const howFarOut = (height: number, front: boolean) => {
-      surfels.fill(field.sample(wall(height, front), new Vector3()), UPRIGHT);
+      surfels.fill(field.sample(wall(height, front), new Vector3()), UPRIGHT).findAll();
       return Math.max(...everyCorner(surfels).map(({ x }) => x + AWAY));
     };
     let asCeiling = 0;
@@ -285,6 +286,64 @@ describe('carry', () => {
     const scaled = new Matrix4().makeScale(1, 1.1, 1).multiply(box.object.matrixWorld);
     expect(surfels.carry(id, UPRIGHT, scaled)).toBe(false);
     expect(surfels.carry(id, UPRIGHT, box.object.matrixWorld)).toBe(true);
+  });
+});
+
+describe('Surfels that nobody has asked for yet', () => {
+  const tilted = new Quaternion().setFromEuler(new Euler(0.9, -0.4, 1.8));
+
+  it.each([
+    ['upright', UPRIGHT],
+    ['under another up', tilted],
+  ])('should lie no farther than their block says, %s (seed 26)', (_, toBody) => {
+    const between = dice(26);
+    let flat = 0;
+    let mixed = 0;
+    for (let run = 0; run < 6; run++) {
+      const yard = randomWorld(() => between(0, 1));
+      const center = new Vector3(between(-8, 8), between(0.5, 1.2), between(-8, 8));
+      for (const resolution of [16, 18, 32]) {
+        const field = drawn(yard, center, { resolution });
+        const surfels = new Surfels(resolution).fill(field, toBody);
+        const { block, first, piece } = surfels;
+        const said = block.slice();
+        surfels.findAll();
+        for (let b = 0; b < first.length - 1; b++) {
+          const [x, y, z, extent, nx, ny, nz, kind] = said.subarray(PIECE * b, PIECE * (b + 1));
+          const middle = new Vector3(x, y, z).add(surfels.origin);
+          for (let i = first[b]!; i < first[b + 1]!; i++) {
+            for (const corner of cornersOf(surfels, i)) {
+              corner.sub(middle);
+              expect(corner.length(), `run ${run}, block ${b}`).toBeLessThan(extent! + 1e-5);
+              if (kind === MIXED) continue;
+              const off = corner.dot(new Vector3(nx, ny, nz));
+              expect(Math.abs(off), `run ${run}, block ${b}`).toBeLessThan(1e-4);
+            }
+            if (kind === MIXED) mixed++;
+            else flat++;
+            if (kind === GOES_ON) expect(piece[PIECE * i + 7]).toBe(GOES_ON);
+          }
+        }
+      }
+    }
+    expect(flat).toBeGreaterThan(1000);
+    expect(mixed).toBeGreaterThan(1000);
+  });
+
+  it('should be carried along with their object as those that are there', () => {
+    const box = new Box(0.3, 0.3, 0.3).at(0.5, 0.4, 0);
+    const world = new World(ground(), box);
+    const field = drawn(world, new Vector3(0, 1, 0), {});
+    const late = new Surfels(32).fill(field, UPRIGHT);
+    const early = new Surfels(32).fill(field, UPRIGHT).findAll();
+    const id = early.objects.indexOf(box.object) + 1;
+    box.object.position.set(0.7, 0.6, -0.2);
+    world.refresh();
+    for (const surfels of [late, early]) expect(surfels.carry(id, UPRIGHT)).toBe(true);
+    late.findAll();
+    expect(late.piece).toEqual(early.piece);
+    expect(late.data).toEqual(early.data);
+    expect(late.block).toEqual(early.block);
   });
 });
 

@@ -97,6 +97,7 @@ export function polygonDistance(point: Vector3, corners: readonly Vector3[]): nu
 /** Distance of a point (body's frame) from the nearest surfel. */
 export function unionDistance(surfels: Surfels, point: Vector3): number {
   let best = Infinity;
+  surfels.findAll();
   for (let i = 0; i < surfels.count; i++) {
     const o = STRIDE * i;
     const middle = new Vector3(...surfels.data.subarray(o, o + 3)).add(surfels.origin);
