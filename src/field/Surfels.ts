@@ -169,9 +169,16 @@ export class Surfels {
     const { texels, first } = blocksOf(resolution);
     const table = neighbours(resolution);
     const end = first[b + 1]!;
+    // In the midst of a plane all is known.
+    const midst = this.block[PIECE * b + 7] === GOES_ON;
     for (let a = first[b]!; a < end; a++) {
       const texel = texels[a]!;
-      if (distance[texel]! < Infinity) {
+      if (midst) {
+        for (let s = SIDES * texel; s < SIDES * (texel + 1); s++) {
+          this.#extents.reach[s] = 0.5;
+          this.#extents.link[s] = COPLANAR_LINK;
+        }
+      } else if (distance[texel]! < Infinity) {
         findExtents(this.#texels, texel, table, this.#up, this.#extents);
       }
     }
@@ -189,7 +196,7 @@ export class Surfels {
         data[o + 3 + v] = normal[k + v]!;
       }
       tangents(data, o);
-      setCorners(data, o, this.#texels, texel, table, this.#extents, piece, PIECE * i + 3);
+      setCorners(data, o, this.#texels, texel, table, this.#extents, midst, piece, PIECE * i + 3);
       if (turn) for (let v = 0; v < MOVING; v += 3) rotate(data, o + v, this.#toBody);
       let kind = GOES_ON;
       for (let side = 0; side < SIDES; side++) {
@@ -355,27 +362,30 @@ export class Surfels {
   }
 
   /** Which blocks lie in the midst of a plane: floors and walls are told apart without a closer look. */
-  #findMidsts({ count, beside }: Blocks): void {
+  #findMidsts({ count, beside, diagonal }: Blocks): void {
     const { block } = this;
     for (let b = 0; b < count; b++) {
-      const o = PIECE * b;
-      if (block[o + 7] === MIXED || this.#whole[b] === 0) continue;
+      if (block[PIECE * b + 7] === MIXED || this.#whole[b] === 0) continue;
       let around = 0;
-      for (let side = SIDES * b; side < SIDES * (b + 1); side++) {
-        const other = beside[side]!;
-        if (other < 0 || this.#whole[other] === 0) break;
-        const p = PIECE * other;
-        if (block[p + 7] === MIXED) break;
-        const alike =
-          block[o + 4]! * block[p + 4]! +
-          block[o + 5]! * block[p + 5]! +
-          block[o + 6]! * block[p + 6]!;
-        if (!(alike > SAME_NORMAL)) break;
-        if (!(Math.abs(this.#offset[b]! - this.#offset[other]!) < SAME_PLANE)) break;
-        around++;
+      while (around < SIDES && this.#isOnePlane(b, beside[SIDES * b + around]!)) around++;
+      if (around < SIDES) continue;
+      for (let i = 4 * b; i < 4 * b + 4 && around === SIDES; i++) {
+        if (diagonal[i]! >= 0 && !this.#isOnePlane(b, diagonal[i]!)) around = 0;
       }
-      if (around === SIDES) block[o + 7] = GOES_ON;
+      if (around === SIDES) block[PIECE * b + 7] = GOES_ON;
     }
+  }
+
+  /** Does another block lie in the plane of this one, whole? */
+  #isOnePlane(b: number, other: number): boolean {
+    const { block } = this;
+    if (other < 0 || this.#whole[other] === 0) return false;
+    const o = PIECE * b;
+    const p = PIECE * other;
+    if (block[p + 7] === MIXED) return false;
+    const alike =
+      block[o + 4]! * block[p + 4]! + block[o + 5]! * block[p + 5]! + block[o + 6]! * block[p + 6]!;
+    return alike > SAME_NORMAL && Math.abs(this.#offset[b]! - this.#offset[other]!) < SAME_PLANE;
   }
 
   /**

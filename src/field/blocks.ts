@@ -14,6 +14,8 @@ export interface Blocks {
   readonly first: Int32Array;
   /** For each side of each block the block that lies beside it, or -1 where that may be several. */
   readonly beside: Int32Array;
+  /** For each corner of each block the block that lies beyond it in the same face, or -1 where that ends. */
+  readonly diagonal: Int32Array;
 }
 
 const known = new Map<number, Blocks>();
@@ -49,7 +51,24 @@ function makeBlocks(n: number): Blocks {
     }
   }
   first[block] = filled;
-  return { count, texels, first, beside: findBeside(n, texels, first) };
+  const beside = findBeside(n, texels, first);
+  return { count, texels, first, beside, diagonal: findDiagonal(along) };
+}
+
+/** @param along blocks along a face's edge */
+function findDiagonal(along: number): Int32Array {
+  const diagonal = new Int32Array(4 * 6 * along * along).fill(-1);
+  for (let b = 0; b < 6 * along * along; b++) {
+    const x = b % along;
+    const y = Math.floor(b / along) % along;
+    for (let corner = 0; corner < 4; corner++) {
+      const dx = corner % 2 === 0 ? -1 : 1;
+      const dy = corner < 2 ? -1 : 1;
+      if (x + dx < 0 || x + dx >= along || y + dy < 0 || y + dy >= along) continue;
+      diagonal[4 * b + corner] = b + dx + dy * along;
+    }
+  }
+  return diagonal;
 }
 
 function findBeside(n: number, texels: Int32Array, first: Int32Array): Int32Array {

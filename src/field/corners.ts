@@ -18,6 +18,7 @@ let cut = new Float32Array(2 * (MOST_CORNERS + 1));
  * neighbours, in tangent coordinates. Written into `data`, behind the surfel's planes at `o`.
  *
  * @param table `neighbours(texels.resolution)`
+ * @param midst whether all eight lie in its plane
  * @param piece takes how far from its point the farthest lies, metres, at `p`
  */
 export function setCorners(
@@ -27,6 +28,7 @@ export function setCorners(
   texel: number,
   table: Int32Array,
   { reach, link }: Extents,
+  midst: boolean,
   piece: Float32Array,
   p: number,
 ): void {
@@ -88,6 +90,32 @@ export function setCorners(
     polygon[2 * c] = along;
     polygon[2 * c + 1] = across;
   }
+  const corners = midst ? 4 : cutAtCreases(data, o, texels, texel, table, link);
+  let extent = 0;
+  for (let c = 0; c < corners; c++) {
+    const along = polygon[2 * c]!;
+    const across = polygon[2 * c + 1]!;
+    data[o + CORNERS + 1 + 2 * c] = along;
+    data[o + CORNERS + 2 + 2 * c] = across;
+    extent = Math.max(extent, along * along + across * across);
+  }
+  data[o + CORNERS] = corners;
+  piece[p] = Math.sqrt(extent);
+}
+
+/** Cuts `polygon` along the planes of all neighbours with which there is a crease. @returns its corners */
+function cutAtCreases(
+  data: Float32Array,
+  o: number,
+  texels: Texels,
+  texel: number,
+  table: Int32Array,
+  link: Uint8Array,
+): number {
+  const { normal, resolution: n } = texels;
+  const x = texel % n;
+  const y = Math.floor(texel / n) % n;
+  const s = SIDES * texel;
   let corners = 4;
   for (let side = 0; side < SIDES; side++) {
     if (link[s + side] !== CREASE) continue;
@@ -99,7 +127,6 @@ export function setCorners(
       if (x + dx < 0 || x + dx >= n) continue;
       const j = texel + dy * n + dx;
       const k = 3 * j;
-      const { normal } = texels;
       // Alike, there is nothing to cut.
       const same =
         normal[k]! * normal[3 * texel]! +
@@ -109,16 +136,7 @@ export function setCorners(
       corners = cutAt(data, texels, j, o, corners);
     }
   }
-  let extent = 0;
-  for (let c = 0; c < corners; c++) {
-    const along = polygon[2 * c]!;
-    const across = polygon[2 * c + 1]!;
-    data[o + CORNERS + 1 + 2 * c] = along;
-    data[o + CORNERS + 2 + 2 * c] = across;
-    extent = Math.max(extent, along * along + across * across);
-  }
-  data[o + CORNERS] = corners;
-  piece[p] = Math.sqrt(extent);
+  return corners;
 }
 
 /** Cuts `polygon`, in the plane of the surfel at `o`, along the plane of texel `j`. */
