@@ -3,6 +3,8 @@ import { neighbours, SIDES } from './neighbours.js';
 
 /** Texels along a block's edge. */
 export const EDGE = 4;
+/** Texels along a region's edge. */
+const REGION = 4 * EDGE;
 
 /** Square blocks of texels: what lies side by side in the cubemap lies near by in the world. */
 export interface Blocks {
@@ -12,6 +14,8 @@ export interface Blocks {
   readonly texels: Int32Array;
   /** Where each block begins in `texels`, and where the last one ends. */
   readonly first: Int32Array;
+  /** Square regions of up to sixteen blocks: the first block of each, and behind the last region's last. */
+  readonly regions: Int32Array;
   /** For each side of each block the block that lies beside it, or -1 where that may be several. */
   readonly beside: Int32Array;
   /** For each corner of each block the block that lies beyond it in the same face, or -1 where that ends. */
@@ -32,61 +36,71 @@ export function blocksOf(resolution: number): Blocks {
 }
 
 function makeBlocks(n: number): Blocks {
-  const along = Math.ceil(n / EDGE);
-  const count = 6 * along * along;
-  const texels = new Int32Array(6 * n * n);
-  const first = new Int32Array(count + 1);
-  let filled = 0;
-  let block = 0;
+  const texels: number[] = [];
+  const first: number[] = [];
+  const regions: number[] = [];
+  const blockOf = new Int32Array(6 * n * n);
   for (let face = 0; face < 6; face++) {
-    for (let by = 0; by < n; by += EDGE) {
-      for (let bx = 0; bx < n; bx += EDGE) {
-        first[block++] = filled;
-        for (let y = by; y < Math.min(n, by + EDGE); y++) {
-          for (let x = bx; x < Math.min(n, bx + EDGE); x++) {
-            texels[filled++] = texelIndex(face, x, y, n);
-          }
+    for (const [rx, ry] of places(0, 0, n, REGION, n)) {
+      regions.push(first.length);
+      for (const [bx, by] of places(rx, ry, REGION, EDGE, n)) {
+        const block = first.length;
+        first.push(texels.length);
+        for (const [x, y] of places(bx, by, EDGE, 1, n)) {
+          const texel = texelIndex(face, x, y, n);
+          blockOf[texel] = block;
+          texels.push(texel);
         }
       }
     }
   }
-  first[block] = filled;
-  const beside = findBeside(n, texels, first);
-  return { count, texels, first, beside, diagonal: findDiagonal(along) };
+  const count = first.length;
+  regions.push(count);
+  first.push(texels.length);
+  return {
+    count,
+    texels: Int32Array.from(texels),
+    first: Int32Array.from(first),
+    regions: Int32Array.from(regions),
+    ...findNeighbours(n, texels, first, blockOf),
+  };
 }
 
-/** @param along blocks along a face's edge */
-function findDiagonal(along: number): Int32Array {
-  const diagonal = new Int32Array(4 * 6 * along * along).fill(-1);
-  for (let b = 0; b < 6 * along * along; b++) {
-    const x = b % along;
-    const y = Math.floor(b / along) % along;
-    for (let corner = 0; corner < 4; corner++) {
-      const dx = corner % 2 === 0 ? -1 : 1;
-      const dy = corner < 2 ? -1 : 1;
-      if (x + dx < 0 || x + dx >= along || y + dy < 0 || y + dy >= along) continue;
-      diagonal[4 * b + corner] = b + dx + dy * along;
-    }
+/** The corners of a grid, row by row: every `step` texels of a square of `edge`, within `n`. */
+function places(x0: number, y0: number, edge: number, step: number, n: number): [number, number][] {
+  const found: [number, number][] = [];
+  for (let y = y0; y < Math.min(n, y0 + edge); y += step) {
+    for (let x = x0; x < Math.min(n, x0 + edge); x += step) found.push([x, y]);
   }
-  return diagonal;
+  return found;
 }
 
-function findBeside(n: number, texels: Int32Array, first: Int32Array): Int32Array {
+function findNeighbours(n: number, texels: number[], first: number[], blockOf: Int32Array) {
   const count = first.length - 1;
   const beside = new Int32Array(SIDES * count).fill(-1);
-  if (n % EDGE !== 0) return beside;
-  const blockOf = new Int32Array(texels.length);
-  for (let b = 0; b < count; b++) {
-    for (let a = first[b]!; a < first[b + 1]!; a++) blockOf[texels[a]!] = b;
-  }
+  const diagonal = new Int32Array(4 * count).fill(-1);
   const table = neighbours(n);
   for (let b = 0; b < count; b++) {
     for (let a = first[b]!; a < first[b + 1]!; a++) {
+      const texel = texels[a]!;
+      const x = texel % n;
+      const y = Math.floor(texel / n) % n;
       for (let side = 0; side < SIDES; side++) {
-        const other = blockOf[table[SIDES * texels[a]! + side]!]!;
-        if (other !== b) beside[SIDES * b + side] = other;
+        const other = blockOf[table[SIDES * texel + side]!]!;
+        // Else blocks of two faces may not lie edge to edge.
+        if (other !== b && n % EDGE === 0) beside[SIDES * b + side] = other;
+      }
+      for (let corner = 0; corner < 4; corner++) {
+        const dx = corner % 2 === 0 ? -1 : 1;
+        const dy = corner < 2 ? -1 : 1;
+        if (x + dx < 0 || x + dx >= n || y + dy < 0 || y + dy >= n) continue;
+        const other = blockOf[texel + dy * n + dx]!;
+        // The texel in that corner is the only one both of whose sides lead out of the block.
+        const out = Math.floor((x + dx) / EDGE) !== Math.floor(x / EDGE);
+        const up = Math.floor((y + dy) / EDGE) !== Math.floor(y / EDGE);
+        if (out && up) diagonal[4 * b + corner] = other;
       }
     }
   }
-  return beside;
+  return { beside, diagonal };
 }

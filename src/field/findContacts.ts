@@ -52,7 +52,7 @@ function findIn(
 ): void {
   const field = memory.kept[kept]!;
   const { surfels, again, distance } = field;
-  const { block, data, first, origin, piece } = surfels;
+  const { block, data, first, firstBlock, origin, piece, region } = surfels;
   const x = capsule.x - origin.x;
   const z = capsule.z - origin.z;
   const low = capsule.y + capsule.radius - origin.y;
@@ -70,20 +70,23 @@ function findIn(
   }
   notes = 0;
   let n = 0;
-  for (let b = 0; b < first.length - 1; b++) {
-    if (isOutOfReach(block, PIECE * b)) continue;
-    if (surfels.find(b) && isOutOfReach(block, PIECE * b)) continue;
-    if (!memory.hasOwn(kept, b)) continue;
-    for (let i = first[b]!; i < first[b + 1]!; i++) {
-      if (again[i] === 1 || isOutOfReach(piece, PIECE * i)) continue;
-      note(field, i);
-      if (nearest[4]! >= reached) continue;
-      foundSurfel[n] = i;
-      found[4 * n] = nearest[0]!;
-      found[4 * n + 1] = nearest[1]!;
-      found[4 * n + 2] = nearest[2]!;
-      found[4 * n + 3] = nearest[5]!;
-      n++;
+  for (let r = 0; r < firstBlock.length - 1; r++) {
+    if (isOutOfReach(region, PIECE * r)) continue;
+    for (let b = firstBlock[r]!; b < firstBlock[r + 1]!; b++) {
+      if (isOutOfReach(block, PIECE * b)) continue;
+      if (surfels.find(b) && isOutOfReach(block, PIECE * b)) continue;
+      if (!memory.hasOwn(kept, b)) continue;
+      for (let i = first[b]!; i < first[b + 1]!; i++) {
+        if (again[i] === 1 || isOutOfReach(piece, PIECE * i)) continue;
+        note(field, i);
+        if (nearest[4]! >= reached) continue;
+        foundSurfel[n] = i;
+        found[4 * n] = nearest[0]!;
+        found[4 * n + 1] = nearest[1]!;
+        found[4 * n + 2] = nearest[2]!;
+        found[4 * n + 3] = nearest[5]!;
+        n++;
+      }
     }
   }
 

@@ -21,19 +21,22 @@ export function hasTread(
 ): boolean {
   for (let k = 0; k < memory.kept.length; k++) {
     const { surfels, again } = memory.kept[k]!;
-    const { block, first, origin, piece } = surfels;
+    const { block, first, firstBlock, origin, piece, region } = surfels;
     query[0] = capsule.x - origin.x;
     query[1] = capsule.z - origin.z;
     query[2] = capsule.radius + reach;
     query[3] = capsule.y + low - origin.y;
     query[4] = capsule.y + high - origin.y;
     query[5] = slope;
-    for (let b = 0; b < first.length - 1; b++) {
-      if (!mayBeTread(block, PIECE * b)) continue;
-      if (surfels.find(b) && !mayBeTread(block, PIECE * b)) continue;
-      if (!memory.hasOwn(k, b)) continue;
-      for (let i = first[b]!; i < first[b + 1]!; i++) {
-        if (again[i] === 0 && mayBeTread(piece, PIECE * i)) return true;
+    for (let r = 0; r < firstBlock.length - 1; r++) {
+      if (!mayBeTread(region, PIECE * r)) continue;
+      for (let b = firstBlock[r]!; b < firstBlock[r + 1]!; b++) {
+        if (!mayBeTread(block, PIECE * b)) continue;
+        if (surfels.find(b) && !mayBeTread(block, PIECE * b)) continue;
+        if (!memory.hasOwn(k, b)) continue;
+        for (let i = first[b]!; i < first[b + 1]!; i++) {
+          if (again[i] === 0 && mayBeTread(piece, PIECE * i)) return true;
+        }
       }
     }
   }

@@ -53,6 +53,45 @@ export function isOutOfReach(piece: Float32Array, p: number): boolean {
   return squared - height * height > border * border;
 }
 
+/** Finds a ball around the balls of `from` to (less) `to`, of any planes. */
+export function boundBalls(
+  balls: Float32Array,
+  from: number,
+  to: number,
+  target: Float32Array,
+  t: number,
+): void {
+  let x = 0;
+  let y = 0;
+  let z = 0;
+  let n = 0;
+  for (let p = PIECE * from; p < PIECE * to; p += PIECE) {
+    if (balls[p] === AWAY) continue;
+    x += balls[p]!;
+    y += balls[p + 1]!;
+    z += balls[p + 2]!;
+    n++;
+  }
+  x = n > 0 ? x / n : AWAY;
+  y /= Math.max(1, n);
+  z /= Math.max(1, n);
+  let extent = 0;
+  for (let p = PIECE * from; p < PIECE * to; p += PIECE) {
+    if (balls[p] === AWAY) continue;
+    const dx = balls[p]! - x;
+    const dy = balls[p + 1]! - y;
+    const dz = balls[p + 2]! - z;
+    extent = Math.max(extent, Math.sqrt(dx * dx + dy * dy + dz * dz) + balls[p + 3]!);
+  }
+  const o = PIECE * t;
+  target[o] = x;
+  target[o + 1] = y;
+  target[o + 2] = z;
+  // Rounded, it must still hold all.
+  target[o + 3] = extent * (1 + 1e-6);
+  target[o + 7] = MIXED;
+}
+
 /** Finds what tells block `b`, made of pieces `from` to (less) `to`, apart. */
 export function boundBlock(
   piece: Float32Array,

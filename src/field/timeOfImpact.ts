@@ -53,21 +53,24 @@ export function timeOfImpact(
   let best = 1;
   for (let k = 0; k < memory.kept.length; k++) {
     const { surfels, again } = memory.kept[k]!;
-    const { block, first, object, origin, piece } = surfels;
+    const { block, first, firstBlock, object, origin, piece, region } = surfels;
     const id = only === null ? 0 : surfels.objects.indexOf(only) + 1;
     if (only !== null && id === 0) continue;
     query[0] = capsule.x - origin.x;
     query[1] = capsule.z - origin.z;
     query[2] = capsule.y + radius - origin.y;
     query[3] = Math.max(query[2]!, capsule.y + capsule.height - radius - origin.y);
-    for (let b = 0; b < first.length - 1; b++) {
-      if (passesBy(block, PIECE * b)) continue;
-      if (surfels.find(b) && passesBy(block, PIECE * b)) continue;
-      if (!memory.hasOwn(k, b)) continue;
-      for (let i = first[b]!; i < first[b + 1]!; i++) {
-        if (again[i] === 1 || passesBy(piece, PIECE * i)) continue;
-        if (id !== 0 && object[i] !== id) continue;
-        best = impact(surfels, i, best);
+    for (let r = 0; r < firstBlock.length - 1; r++) {
+      if (passesBy(region, PIECE * r)) continue;
+      for (let b = firstBlock[r]!; b < firstBlock[r + 1]!; b++) {
+        if (passesBy(block, PIECE * b)) continue;
+        if (surfels.find(b) && passesBy(block, PIECE * b)) continue;
+        if (!memory.hasOwn(k, b)) continue;
+        for (let i = first[b]!; i < first[b + 1]!; i++) {
+          if (again[i] === 1 || passesBy(piece, PIECE * i)) continue;
+          if (id !== 0 && object[i] !== id) continue;
+          best = impact(surfels, i, best);
+        }
       }
     }
   }
