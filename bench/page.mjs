@@ -12,6 +12,12 @@ const WEBGPU = [
   '--enable-features=Vulkan',
 ];
 
+/** What this runs on, in a few words. */
+export const HOST = `${platform()} ${arch()}, ${cpus().length} cores (${cpus()[0]?.model})`;
+
+/** For suites that count the heap's bytes: exact ones, and rubbish collected when they say so. */
+const HEAP = ['--enable-precise-memory-info', '--js-flags=--expose-gc'];
+
 /** Headers that give the page a fine clock: without them it ticks in tenths of a millisecond. */
 const ISOLATED = {
   'Cross-Origin-Opener-Policy': 'same-origin',
@@ -25,7 +31,7 @@ const ISOLATED = {
  * @param {import('vite').Plugin[]} [options.plugins] of the server
  * @param {(type: string, text: string) => void} [options.onMessage] hears what the page's console gets
  * @returns `run(module, argument)`, which imports a module there and calls its default export; a line on the machine;
- *   and `close()`
+ *   the browser's name; and `close()`
  */
 export async function openPage({ plugins = [], onMessage } = {}) {
   const found = await findBrowser();
@@ -39,7 +45,13 @@ export async function openPage({ plugins = [], onMessage } = {}) {
   await server.listen();
   const browser = await chromium.launch({
     executablePath: found.path,
-    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...WEBGPU],
+    args: [
+      '--no-sandbox',
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
+      ...WEBGPU,
+      ...HEAP,
+    ],
   });
   const page = await browser.newPage({ viewport: { width: 800, height: 600 } });
   if (onMessage) page.on('console', (message) => onMessage(message.type(), message.text()));
@@ -53,7 +65,8 @@ export async function openPage({ plugins = [], onMessage } = {}) {
         async ([url, value]) => (await import(/** @type {string} */ (url))).default(value),
         /** @type {const} */ ([module, argument]),
       ),
-    machine: `Chromium ${browser.version()}, ${platform()} ${arch()}, ${cpus().length} cores (${cpus()[0]?.model}), software GPU`,
+    machine: `Chromium ${browser.version()}, ${HOST}, software GPU`,
+    browser: `Chromium ${browser.version()}`,
     async close() {
       await browser.close();
       await server.close();

@@ -15,9 +15,9 @@ import { ReadbackRing } from '../src/collider/ReadbackRing.js';
 
 /**
  * How a cubemap gets to the processor. 'fenced' is what the product does better than; 'ask' reads nothing, but asks
- * WebGL for its clear colour, which the product therefore never does.
+ * WebGL for its clear colour, which the product therefore never does; 'none' is the page alone.
  */
-export type ReadbackMode = 'sync' | 'fenced' | 'async' | 'ask';
+export type ReadbackMode = 'sync' | 'fenced' | 'async' | 'ask' | 'none';
 
 export interface ReadbackCase {
   mode: ReadbackMode;
@@ -31,6 +31,8 @@ export interface ReadbackResult extends ReadbackCase {
   blocked: number[];
   /** Milliseconds from draw to arrival of each read. */
   latency: number[];
+  /** Frames from draw to arrival of each read. */
+  latencyFrames: number[];
   /** Milliseconds from frame to frame. */
   frame: number[];
   forced: number;
@@ -74,6 +76,7 @@ export default async function readback({
     frames,
     blocked: [],
     latency: [],
+    latencyFrames: [],
     frame: [],
     forced: 0,
     bytes: 0,
@@ -84,7 +87,6 @@ export default async function readback({
   result.bytes = ring.data.byteLength;
   let last = performance.now();
   let reads = collider.stats.reads;
-  let serial = 0;
 
   await new Promise<void>((done) => {
     const tick = () => {
@@ -97,13 +99,13 @@ export default async function readback({
           const stamp = ring.finish()!;
           result.blocked.push(performance.now() - start);
           result.latency.push(performance.now() - stamp.time);
+          result.latencyFrames.push(result.frame.length - stamp.update);
         }
         if (ring.free) {
           renderer.setRenderTarget(target);
           renderer.clear();
-          serial++;
           drawn.time = performance.now();
-          drawn.serial = drawn.update = serial;
+          drawn.serial = drawn.update = result.frame.length;
           ring.start(drawn);
           renderer.setRenderTarget(null);
         }
@@ -111,13 +113,14 @@ export default async function readback({
         const start = performance.now();
         gl.getParameter(gl.COLOR_CLEAR_VALUE);
         result.blocked.push(performance.now() - start);
-      } else {
+      } else if (mode !== 'none') {
         // Read before the update: an asynchronous one arrived between two frames.
         if (mode === 'sync') collider.update(renderer, scene);
         if (collider.stats.reads > reads) {
           reads = collider.stats.reads;
           result.blocked.push(collider.stats.lastBlocked);
           result.latency.push(collider.stats.latency);
+          result.latencyFrames.push(collider.stats.latencyUpdates);
         }
         if (mode === 'async') collider.update(renderer, scene);
       }

@@ -9,6 +9,8 @@ export interface NodeReadbackCase {
   /** GPU milliseconds of the page's own frame. */
   load: number;
   frames: number;
+  /** The page alone. */
+  bare?: boolean;
 }
 
 /** Of each backend, from one calibration. */
@@ -19,6 +21,7 @@ export default async function readbackNodes({
   mode,
   load,
   frames,
+  bare = false,
 }: NodeReadbackCase): Promise<Omit<ReadbackResult, 'mode'> & NodeReadbackCase> {
   const renderer = new WebGPURenderer({ antialias: false, forceWebGL: mode === 'fallback' });
   renderer.setSize(640, 360);
@@ -40,6 +43,7 @@ export default async function readbackNodes({
 
   const blocked: number[] = [];
   const latency: number[] = [];
+  const latencyFrames: number[] = [];
   const frame: number[] = [];
   let last = performance.now();
   let { reads } = collider.stats;
@@ -53,8 +57,9 @@ export default async function readbackNodes({
         reads = collider.stats.reads;
         blocked.push(collider.stats.lastBlocked);
         latency.push(collider.stats.latency);
+        latencyFrames.push(collider.stats.latencyUpdates);
       }
-      collider.update(renderer, scene);
+      if (!bare) collider.update(renderer, scene);
       draw();
       if (frame.length < frames) requestAnimationFrame(tick);
       else done();
@@ -66,7 +71,8 @@ export default async function readbackNodes({
   const { width, height } = collider.renderTarget!;
   collider.dispose();
   renderer.dispose();
-  return { mode, load, frames, blocked, latency, frame, forced, bytes: 16 * width * height };
+  const bytes = 16 * width * height;
+  return { mode, load, frames, blocked, latency, latencyFrames, frame, forced, bytes };
 }
 
 /** A full-screen triangle whose fragments count to `loops`. */

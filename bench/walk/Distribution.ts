@@ -6,6 +6,7 @@ export interface DistributionSummary {
   mean: number;
   p50: number;
   p99: number;
+  p999: number;
   max: number;
   /** Pairs [value, part of all that is greater or equal], the part falling from 1 to 1 / count. */
   tail: [number, number][];
@@ -39,6 +40,7 @@ export class Distribution {
       tail.push([sorted[count - 1]!, 1 / count]);
     }
     const mean = sorted.reduce((sum, value) => sum + value, 0) / count;
-    return { count, mean, p50: at(0.5), p99: at(0.99), max: sorted[count - 1] ?? NaN, tail };
+    const max = sorted[count - 1] ?? NaN;
+    return { count, mean, p50: at(0.5), p99: at(0.99), p999: at(0.999), max, tail };
   }
 }

@@ -5,7 +5,7 @@ import { openPage } from '../page.mjs';
 /** Frames between two signs of life. */
 const PORTION = 250;
 /** What a software GPU makes Chromium and three say. */
-const EXPECTED = /GPU stall|KHR_parallel_shader_compile/;
+export const EXPECTED = /GPU stall|KHR_parallel_shader_compile/;
 /** Milliseconds between two lines of progress where there is no terminal to rewrite one in. */
 const QUIET = 15_000;
 
@@ -16,7 +16,7 @@ const QUIET = 15_000;
  */
 export async function openSession(files) {
   const { run, machine, close } = await openPage({
-    plugins: [levels(files)],
+    plugins: [serveLevels(files)],
     onMessage(type, text) {
       if (['warning', 'error'].includes(type) && !EXPECTED.test(text)) {
         console.error(`\n[page] ${text}`);
@@ -60,7 +60,7 @@ export const urlOf = (i) => `/walk-level-${i}.glb`;
  * @param {string[]} files
  * @returns {import('vite').Plugin}
  */
-function levels(files) {
+export function serveLevels(files) {
   return {
     name: 'walk-levels',
     configureServer({ middlewares }) {
