@@ -40,7 +40,7 @@ it('the defaults in README should be the package’s', () => {
   expect(readme).toContain(`\`cXZ\` ${axis.cXZ}, \`cY\` ${axis.cY}, \`hMax\` ${axis.hMax}`);
 });
 
-it.each(['README.md', 'docs/architecture.md', 'docs/paper.md'])(
+it.each(['README.md', 'docs/architecture.md', 'docs/benchmarks.md', 'docs/paper.md'])(
   'should link to what exists, and leave nothing to fill in: %s',
   (file) => {
     const text = readFileSync(file, 'utf8');

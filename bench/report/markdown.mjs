@@ -1,0 +1,63 @@
+// @ts-check
+import { figuresOf, referenceOf, told } from './figures.mjs';
+
+/** @typedef {import('./results.mjs').Entry} Entry */
+
+/** Tables of a suite that are seen at once; the others are folded away. */
+const SEEN = 2;
+
+/**
+ * A table for each figure: contestants below each other, cases side by side.
+ *
+ * @param {readonly import('../suites/suite.js').SuiteRow[]} rows
+ */
+export function tablesOf(rows) {
+  return figuresOf(rows).map(({ figure, cases, contestants, rows: own, rowOf }) => {
+    const references = cases.map((name) => referenceOf(own, name));
+    return table(
+      [figure, ...cases],
+      contestants.map((contestant) => [
+        contestant,
+        ...cases.map((name, i) => told(rowOf(name, contestant), references[i])),
+      ]),
+    );
+  });
+}
+
+/**
+ * A table, its first column to the left and all others to the right.
+ *
+ * @param {string[]} head
+ * @param {string[][]} rows
+ */
+export function table(head, rows) {
+  return [head, head.map((_, i) => (i === 0 ? '---' : '--:')), ...rows]
+    .map((cells) => `| ${cells.join(' | ')} |`)
+    .join('\n');
+}
+
+/**
+ * What docs/benchmarks.md says of a suite, between its marks.
+ *
+ * @param {{ name: string, title: string, about: string }} suite
+ * @param {Entry | undefined} entry
+ */
+export function section({ name, title, about }, entry) {
+  const parts = [`## ${title}`, about];
+  if (!entry) return [...parts, '_Not measured yet._'].join('\n\n');
+  const tables = tablesOf(entry.rows);
+  parts.push(`![${title}](benchmarks/${name}.svg)`, ...tables.slice(0, SEEN));
+  if (tables.length > SEEN) {
+    parts.push('<details><summary>More of it</summary>', ...tables.slice(SEEN), '</details>');
+  }
+  return [...parts, ranOn(entry)].join('\n\n');
+}
+
+/** When, where and with what a suite ran. @param {Entry} entry */
+function ranOn({ date, machine, browser, gpu, versions, options, rows }) {
+  const made = Object.entries(versions).map(([name, version]) => `${name} ${version}`);
+  const where = [machine, browser, gpu].filter(Boolean).join('; ');
+  const repeated = options.repeats > 1 && rows.some(({ samples }) => samples.length > 1);
+  const repeats = repeated ? ` ${options.repeats} repeats.` : '';
+  return `<sub>${date}. ${where}. ${made.join(', ')}.${repeats}</sub>`;
+}
