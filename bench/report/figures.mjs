@@ -109,7 +109,8 @@ export function told(row, reference) {
 /** Two or three digits that count. @param {number} value */
 export function show(value) {
   const size = Math.abs(value);
-  if (Number.isInteger(value) || !Number.isFinite(value)) return String(value);
+  if (!Number.isFinite(value)) return '-';
+  if (Number.isInteger(value)) return String(value);
   if (size >= 100) return value.toFixed(0);
   if (size >= 10) return value.toFixed(1);
   return size >= 1 ? value.toFixed(2) : String(Number(value.toPrecision(2)));

@@ -29,8 +29,8 @@ the GPU has one.`,
     name: 'moving',
     title: 'Scenery that moves',
     about: `Main-thread time a frame where everything moves: a crowd of skinned figures, a terrain of morph targets, a thousand rigid
-objects. Ours draws what the GPU has deformed anyway; three-mesh-bvh refits a \`SkinnedMeshBVH\` in every frame, or moves its
-queries into each object's own space; Octree would have to be rebuilt.`,
+objects. Ours draws what the GPU has deformed anyway; three-mesh-bvh refits a \`SkinnedMeshBVH\` after every pose, or moves its
+queries into each object's own space; Octree and Rapier have to be built anew where vertices move.`,
   },
   {
     name: 'crowd',
