@@ -31,7 +31,7 @@ export interface ReadbackResult extends ReadbackCase {
   blocked: number[];
   /** Milliseconds from draw to arrival of each read. */
   latency: number[];
-  /** Frames from draw to arrival of each read. */
+  /** Frames from each draw to the one that can use it: 0 in the same, which has waited for it. */
   latencyFrames: number[];
   /** Milliseconds from frame to frame. */
   frame: number[];
@@ -86,7 +86,7 @@ export default async function readback({
   const drawn = new DrawStamp();
   result.bytes = ring.data.byteLength;
   let last = performance.now();
-  let reads = collider.stats.reads;
+  let { reads, forced } = collider.stats;
 
   await new Promise<void>((done) => {
     const tick = () => {
@@ -120,7 +120,10 @@ export default async function readback({
           reads = collider.stats.reads;
           result.blocked.push(collider.stats.lastBlocked);
           result.latency.push(collider.stats.latency);
-          result.latencyFrames.push(collider.stats.latencyUpdates);
+          // What came between two frames serves the next.
+          const waited = mode === 'sync' || collider.stats.forced > forced;
+          result.latencyFrames.push(collider.stats.latencyUpdates + (waited ? 0 : 1));
+          forced = collider.stats.forced;
         }
         if (mode === 'async') collider.update(renderer, scene);
       }

@@ -57,7 +57,8 @@ export default async function readbackNodes({
         reads = collider.stats.reads;
         blocked.push(collider.stats.lastBlocked);
         latency.push(collider.stats.latency);
-        latencyFrames.push(collider.stats.latencyUpdates);
+        // It came between two frames, and serves the next.
+        latencyFrames.push(collider.stats.latencyUpdates + 1);
       }
       if (!bare) collider.update(renderer, scene);
       draw();

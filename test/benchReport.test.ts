@@ -51,6 +51,18 @@ describe('what the benchmarks tell', () => {
     ]);
   });
 
+  it('should turn a table of many cases, and tell nothing of rounding', () => {
+    const cases = [1, 2, 3, 4, 5, 6, 7].map((hz) =>
+      row('Octree', [1e-13, -1e-13], { case: `${hz} Hz`, figure: 'jerk, m/s³' }),
+    );
+    const [text] = tablesOf(cases);
+    expect(text!.split('\n').slice(0, 3)).toEqual([
+      '| jerk, m/s³ | Octree |',
+      '| --- | --: |',
+      '| 1 Hz | 0 |',
+    ]);
+  });
+
   it('should mark what got over a tenth worse, whichever way is worse', () => {
     const fps = { figure: 'frames a second' };
     const before = results(row('a', [100]), row('b', [60], fps), row('c', [100]), row('d', [1]));

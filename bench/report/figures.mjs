@@ -8,6 +8,8 @@ const OURS = 'three-cube-collider';
 const REFERENCE = `${OURS}, WebGL2`;
 /** From so many samples on, a spread leaves out a twentieth on each side and no longer a quarter. */
 const MANY = 20;
+/** What is nearer to nothing is rounding. */
+const NOTHING = 5e-5;
 
 /**
  * The number that the part `q` of all lies below; between two of them by their distance.
@@ -39,7 +41,7 @@ export const isOurs = (contestant) => contestant.startsWith(OURS);
 export const higherIsBetter = (figure) => /a second|progress|kept|saved|way,/.test(figure);
 
 /** Whether one may tell how many times another a figure is: times and sizes. @param {string} figure */
-const hasRatio = (figure) => /\b(ms|µs|s|bytes|kB|MB)\b/.test(figure.split(', ').at(-1) ?? '');
+const hasRatio = (figure) => /^(ms|bytes|kB|MB)\b/.test(figure.split(', ').at(-1) ?? '');
 
 /**
  * One table for each figure, in the order of the rows, ours first.
@@ -99,8 +101,10 @@ export function ratioOf(row, reference) {
 export function told(row, reference) {
   if (!row) return '-';
   if (row.samples.length === 0) return row.note ?? 'cannot';
-  const words = [show(median(row.samples))];
-  if (row.samples.length > 1) words.push(`(${spread(row.samples).map(show).join(' to ')})`);
+  const middle = show(median(row.samples));
+  const words = [middle];
+  const ends = spread(row.samples).map(show);
+  if (ends.some((end) => end !== middle)) words.push(`(${ends.join(' to ')})`);
   const ratio = ratioOf(row, reference);
   if (ratio !== undefined) words.push(`×${show(ratio)}`);
   return words.join(' ') + (row.note ? `, ${row.note}` : '');
@@ -110,6 +114,7 @@ export function told(row, reference) {
 export function show(value) {
   const size = Math.abs(value);
   if (!Number.isFinite(value)) return '-';
+  if (size < NOTHING) return '0';
   if (Number.isInteger(value)) return String(value);
   if (size >= 100) return value.toFixed(0);
   if (size >= 10) return value.toFixed(1);

@@ -2,25 +2,33 @@
 import { figuresOf, referenceOf, told } from './figures.mjs';
 
 /** @typedef {import('./results.mjs').Entry} Entry */
+/** @typedef {import('../suites/suite.js').SuiteRow} SuiteRow */
 
 /** Tables of a suite that are seen at once; the others are folded away. */
 const SEEN = 2;
+/** With more cases than these, cases are below each other and contestants side by side. */
+const WIDE = 6;
 
 /**
  * A table for each figure: contestants below each other, cases side by side.
  *
- * @param {readonly import('../suites/suite.js').SuiteRow[]} rows
+ * @param {readonly SuiteRow[]} rows
  */
 export function tablesOf(rows) {
   return figuresOf(rows).map(({ figure, cases, contestants, rows: own, rowOf }) => {
-    const references = cases.map((name) => referenceOf(own, name));
-    return table(
-      [figure, ...cases],
-      contestants.map((contestant) => [
-        contestant,
-        ...cases.map((name, i) => told(rowOf(name, contestant), references[i])),
-      ]),
-    );
+    /** @type {Map<string, SuiteRow | undefined>} */
+    const references = new Map(cases.map((name) => [name, referenceOf(own, name)]));
+    /** @param {string} contestant @param {string} name */
+    const cell = (contestant, name) => told(rowOf(name, contestant), references.get(name));
+    return cases.length > WIDE
+      ? table(
+          [figure, ...contestants],
+          cases.map((name) => [name, ...contestants.map((who) => cell(who, name))]),
+        )
+      : table(
+          [figure, ...cases],
+          contestants.map((who) => [who, ...cases.map((name) => cell(who, name))]),
+        );
   });
 }
 
