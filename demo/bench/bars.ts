@@ -34,7 +34,6 @@ export function barsOf(rows: readonly SuiteRow[]): HTMLElement[] {
 function barOf(row: SuiteRow, value: string, place: (value: number) => number): HTMLElement {
   const line = create('div', isOurs(row.contestant) ? 'contestant ours' : 'contestant');
   const name = create('span', 'name', row.contestant);
-  name.title = row.contestant;
   const track = create('span', 'track');
   if (row.samples.length > 0) {
     const bar = create('span', 'median');
