@@ -41,7 +41,9 @@ export async function drawBars(title, rows, figure) {
     title: null,
     axis: { domain: false, ticks: false, labelPadding: 6 },
   };
-  const axis = { format: '~s', tickCount: 6 };
+  // In thousands from a thousand on, but never in thousandths.
+  const labelExpr = "format(datum.value, abs(datum.value) < 1000 ? '~g' : '~s')";
+  const axis = { labelExpr, tickCount: 6 };
   const repeated = shown.rows.some(({ samples }) => samples.length > 1);
   const notes = [
     shown.figure,

@@ -116,7 +116,7 @@ export function show(value) {
   if (!Number.isFinite(value)) return '-';
   if (size < NOTHING) return '0';
   if (Number.isInteger(value)) return String(value);
-  if (size >= 100) return value.toFixed(0);
+  if (size >= 99.95) return value.toFixed(0);
   if (size >= 10) return value.toFixed(1);
   return size >= 1 ? value.toFixed(2) : String(Number(value.toPrecision(2)));
 }

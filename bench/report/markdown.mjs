@@ -4,7 +4,7 @@ import { figuresOf, referenceOf, told } from './figures.mjs';
 /** @typedef {import('./results.mjs').Entry} Entry */
 /** @typedef {import('../suites/suite.js').SuiteRow} SuiteRow */
 
-/** Tables of a suite that are seen at once; the others are folded away. */
+/** Tables of a suite that are seen at once unless it says otherwise; the others are folded away. */
 const SEEN = 2;
 /** With more cases than these, cases are below each other and contestants side by side. */
 const WIDE = 6;
@@ -47,16 +47,16 @@ export function table(head, rows) {
 /**
  * What docs/benchmarks.md says of a suite, between its marks.
  *
- * @param {{ name: string, title: string, about: string }} suite
+ * @param {{ name: string, title: string, about: string, seen?: number }} suite
  * @param {Entry | undefined} entry
  */
-export function section({ name, title, about }, entry) {
+export function section({ name, title, about, seen = SEEN }, entry) {
   const parts = [`## ${title}`, about];
   if (!entry) return [...parts, '_Not measured yet._'].join('\n\n');
   const tables = tablesOf(entry.rows);
-  parts.push(`![${title}](benchmarks/${name}.svg)`, ...tables.slice(0, SEEN));
-  if (tables.length > SEEN) {
-    parts.push('<details><summary>More of it</summary>', ...tables.slice(SEEN), '</details>');
+  parts.push(`![${title}](benchmarks/${name}.svg)`, ...tables.slice(0, seen));
+  if (tables.length > seen) {
+    parts.push('<details><summary>More of it</summary>', ...tables.slice(seen), '</details>');
   }
   return [...parts, ranOn(entry)].join('\n\n');
 }

@@ -24,6 +24,7 @@ import { walk } from './walk.mjs';
  * @property {string} title
  * @property {string} about what is measured and how each is driven: Markdown
  * @property {string} [plot] the figure whose bars are drawn; the first, if not given
+ * @property {number} [seen] how many of its tables docs/benchmarks.md shows unfolded; 2, if not given
  * @property {boolean} [needsBrowser] false if all of it runs in Node
  * @property {(context: Context) => Promise<{ rows: SuiteRow[], text?: string }>} run gives its rows, and tables of its
  *   own if it has better ones for the terminal

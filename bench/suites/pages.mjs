@@ -1,13 +1,14 @@
 // @ts-check
 // The suites that run in a web page, for `npm run bench` and the demo's /bench; each is the module of its name here.
 
-/** @typedef {{ name: string, title: string, about: string, plot?: string }} PageSuite */
+/** @typedef {{ name: string, title: string, about: string, plot?: string, seen?: number }} PageSuite */
 
 /** @type {PageSuite[]} */
 export const PAGE_SUITES = [
   {
     name: 'load',
     title: 'Loading a level',
+    seen: 8,
     about: `From “the scene is loaded” to the first resolved step, on hills of 10k to 5M triangles: how long the page is blocked,
 and how much the heap grows. Ours compiles its programs, draws a cubemap and reads it; the others build their trees. Who would
 take over a minute is measured on less, extrapolated, and marked.`,
@@ -40,6 +41,7 @@ queries into each object's own space; Octree and Rapier have to be built anew wh
   {
     name: 'feel',
     title: 'How it walks',
+    seen: 3,
     about: `Stairs, a ramp, a slide along a wall, a kerb: how far it gets in a given time against the ideal, how it jerks on the way,
 and how it wobbles when it stands.`,
   },

@@ -31,6 +31,7 @@ frame an exact judge measures how deep it is in the nearest triangle (negative: 
 purpose). 3000 frames a walk, ours read synchronously; [accuracy.md](accuracy.md) has longer walks, late read-backs and the
 other renderers, and says how the judge works. _Way_ tells that nobody stood still to do well.`,
   plot: 'penetration max, mm',
+  seen: 6,
   async run({ files, options: { quick } }) {
     const { levels } = await walkAll({
       levels: files,
