@@ -43,7 +43,9 @@ export async function drawBars(title, rows, figure) {
   };
   // In thousands from a thousand on, but never in thousandths.
   const labelExpr = "format(datum.value, abs(datum.value) < 1000 ? '~g' : '~s')";
-  const axis = { labelExpr, tickCount: 6 };
+  const axis = logarithmic
+    ? { labelExpr, values: powers(begin, most) }
+    : { labelExpr, tickCount: 6 };
   const repeated = shown.rows.some(({ samples }) => samples.length > 1);
   const notes = [
     shown.figure,
@@ -126,4 +128,10 @@ export async function drawBars(title, rows, figure) {
   const { spec: compiled } = vegaLite.compile(spec, { logger: vega.logger(vega.Error) });
   const view = new vega.View(vega.parse(compiled), { renderer: 'none' });
   return `${await view.toSVG()}\n`;
+}
+
+/** Those of ten from the first on. @param {number} first @param {number} most */
+function powers(first, most) {
+  const count = Math.floor(Math.log10(most / first)) + 1;
+  return Array.from({ length: count }, (_, i) => Number((first * 10 ** i).toPrecision(6)));
 }
