@@ -68,7 +68,7 @@ export default async function readbacks({
   await collider.compile(renderer, scene);
   let last = -1;
   // Updates of one task: nothing can arrive between them, so the reach runs out and one read is waited for.
-  for (let i = 0; i < 8; i++) collider.update(renderer, scene);
+  for (let i = 0; i < 40; i++) collider.update(renderer, scene);
   const forcedAtStart = collider.stats.forced;
   for (let i = 0; i < 3; i++) {
     collider.position.x -= 2;

@@ -81,7 +81,8 @@ export abstract class ColliderBase<Renderer> extends Object3D {
   readonly #drawn = (calls: number) => this.#afterDraw(calls);
   readonly #client: DeviceClient = {
     deliver: () => this.#deliver(),
-    urgent: () => this.#urgent,
+    // The first field is worth a wait for what is queued behind it.
+    urgent: () => this.#urgent || (this.#newest.field ?? this.#newest.maxima) === null,
     lost: () => this.#release(),
   };
 

@@ -8,8 +8,11 @@ import type { CubeColliderStats } from './CubeColliderStats.js';
 import type { CubemapDevice } from './CubemapDevice.js';
 import type { DrawStamp } from './DrawStamp.js';
 
-/** Updates without any data after which some are waited for, however busy the GPU. */
-const PATIENCE = 4;
+/**
+ * Updates without any data after which some are waited for, however busy the GPU: half a second, in which it may upload a
+ * level and compile for it. A character without a field stands meanwhile.
+ */
+const PATIENCE = 30;
 
 /** The newest cubemap that came back, decoded, and how far and how long it serves. */
 export class NewestRead {

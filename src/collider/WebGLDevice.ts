@@ -11,10 +11,13 @@ import type { DrawStamp } from './DrawStamp.js';
 import { FaceCameras, MOST_CUBEMAPS } from './FaceCameras.js';
 import type { Solidity } from './isSolid.js';
 import { NearestPass } from './NearestPass.js';
-import { ReadbackRing } from './ReadbackRing.js';
+import { isSignalled, ReadbackRing } from './ReadbackRing.js';
 import { type ReadbackClient, ReadbackScheduler } from './ReadbackScheduler.js';
 import { RendererState } from './RendererState.js';
 import { bestTexelFormat, canDraw, clearTexels, createTexelTarget } from './texelTarget.js';
+
+/** Longest that programs are waited for, milliseconds. */
+const COMPILING = 5000;
 
 /** A collider's part on the GPU of a `WebGLRenderer`. */
 export class WebGLDevice implements CubemapDevice<WebGLRenderer> {
@@ -170,6 +173,8 @@ export class WebGLDevice implements CubemapDevice<WebGLRenderer> {
       this.#state.leave(renderer);
     }
     await this.#compiling;
+    // Where three cannot ask whether a program is ready it takes it for granted: asked too early, the page would stand.
+    await drained(renderer.getContext() as WebGL2RenderingContext);
     this.#compiling = null;
     if (this.#disposed) return false;
     this.#state.enter(renderer, this.#materials.shaderFailed);
@@ -197,6 +202,18 @@ export class WebGLDevice implements CubemapDevice<WebGLRenderer> {
     this.#axis?.dispose();
     this.#ring.dispose();
   }
+}
+
+/** Resolved, without waiting for it, once the GPU has done all that it was told so far; or has not in a while. */
+async function drained(gl: WebGL2RenderingContext): Promise<void> {
+  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  if (fence === null) return;
+  gl.flush();
+  const end = performance.now() + COMPILING;
+  while (!gl.isContextLost() && !isSignalled(gl, fence) && performance.now() < end) {
+    await new Promise((resolve) => setTimeout(resolve, 4));
+  }
+  gl.deleteSync(fence);
 }
 
 /** The format asked for, if the context can draw it; else the best that it can. */
