@@ -3,7 +3,7 @@ import { CharacterController, type CubeCollider } from 'three-cube-collider';
 import type { Backend, Rendering } from '../../e2e/support/rendering.js';
 import { SHAPE } from '../walk/shape.js';
 import { disposeRendering, findTriangles, gpuOf, tryRendering } from './ours.js';
-import { FRAME, later, nextFrame } from './pace.js';
+import { FRAME, later, mean, nextFrame } from './pace.js';
 import { Stopwatch } from './Stopwatch.js';
 import { watchTasks } from './watchTasks.js';
 
@@ -26,6 +26,25 @@ export interface FrameCost {
   decode: number;
   /** Moving the character. */
   solve: number;
+}
+
+/** Names of the parts for readers. */
+const PARTS = {
+  select: 'select',
+  submit: 'submit',
+  poll: 'ask for the read',
+  read: 'read back',
+  decode: 'decode',
+  solve: 'solve',
+} as const;
+
+/** Means of the parts over a walk, as figures. */
+export function partsOf(costs: readonly FrameCost[]): Record<string, number> {
+  const figures: Record<string, number> = {};
+  for (const [part, name] of Object.entries(PARTS)) {
+    figures[`${name}, ms`] = mean(costs.map((cost) => cost[part as keyof FrameCost]));
+  }
+  return figures;
 }
 
 const nothing = (): FrameCost => ({

@@ -42,6 +42,8 @@ export default async function feel(
   }
   for (const test of feelCases()) {
     const contestants = await gather(test, backends, rows);
+    // The first walk compiles what a walk compiles.
+    for (const each of contestants) await walk(each, test, 0, new Rows());
     for (let round = 0; round < rounds; round++) {
       for (const each of rotated(contestants, round)) await walk(each, test, round, rows);
     }

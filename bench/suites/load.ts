@@ -1,8 +1,8 @@
 import type { BufferGeometry } from 'three';
 import { TriangleIndex } from '../../src/collider/TriangleIndex.js';
 import { verticesOf } from '../../src/collider/verticesOf.js';
-import { loadOurs } from './load/loadOurs.js';
-import { loadRival } from './load/loadRival.js';
+import { loadOurs, weighOurs } from './load/loadOurs.js';
+import { loadRival, weighRival } from './load/loadRival.js';
 import type { Loaded } from './load/Loaded.js';
 import { BACKENDS, nameOf } from './ours.js';
 import { later, rotated } from './pace.js';
@@ -20,6 +20,8 @@ interface Contestant {
   most: number;
   /** Loads it anew, and lets it go. @returns null where it cannot */
   load(geometry: BufferGeometry): Promise<Loaded | null>;
+  /** Bytes that it keeps; null where nobody says. Collecting garbage slows what follows, so it is done apart. */
+  weigh(geometry: BufferGeometry): Promise<number | null>;
 }
 
 /** What it takes from a scene that is in memory to a character's first step in it. */
@@ -34,11 +36,13 @@ export default async function load(
       name: nameOf(backend),
       most: Infinity,
       load: (geometry: BufferGeometry) => loadOurs(backend, geometry),
+      weigh: (geometry: BufferGeometry) => weighOurs(backend, geometry),
     })),
     ...RIVALS.map((rival) => ({
       name: rival.name,
       most: rival.most,
       load: (geometry: BufferGeometry) => loadRival(rival, geometry),
+      weigh: (geometry: BufferGeometry) => weighRival(rival, geometry),
     })),
   ];
   for (const each of contestants) await each.load(terrainPlace('warm-up', 5000).geometry);
@@ -50,10 +54,18 @@ export default async function load(
       for (const each of rotated(contestants, round)) {
         if (triangles > each.most) continue;
         const loaded = await each.load(fresh(geometry));
-        note(rows, name, each.name, triangles, loaded);
+        note(rows, name, each.name, loaded);
         tell(`${name}, ${each.name}: ${loaded?.blocking.toFixed(2) ?? '-'} ms`);
         await later();
       }
+    }
+    for (const backend of BACKENDS) {
+      const undrawn = await loadOurs(backend, fresh(geometry), false);
+      rows.add(name, nameOf(backend), 'blocking with the upload, ms', undrawn?.blocking);
+    }
+    for (const each of contestants) {
+      if (triangles > each.most) continue;
+      noteHeap(rows, name, each.name, triangles, await each.weigh(fresh(geometry)));
     }
     if (contestants.every(({ most }) => triangles <= most)) largest = wanted;
     noteIndex(rows, name, geometry, rounds);
@@ -62,29 +74,29 @@ export default async function load(
   return rows.all;
 }
 
-function note(
-  rows: Rows,
-  where: string,
-  name: string,
-  triangles: number,
-  loaded: Loaded | null,
-): void {
+function note(rows: Rows, where: string, name: string, loaded: Loaded | null): void {
   if (loaded === null) {
     rows.add(where, name, 'blocking, ms', undefined, 'not in this browser');
     return;
   }
   rows.add(where, name, 'blocking, ms', loaded.blocking);
   rows.add(where, name, 'to the first step, ms', loaded.first);
-  if (loaded.withUpload !== undefined) {
-    rows.add(where, name, 'blocking with the upload, ms', loaded.withUpload);
-  }
   if (loaded.waited !== undefined) {
     rows.add(where, name, 'of it waiting for the GPU, ms', loaded.waited);
   }
-  const heap = loaded.heap ?? undefined;
-  const untold = heap === undefined ? 'the browser does not say' : undefined;
-  rows.add(where, name, 'heap, MB', heap && heap / 1e6, untold);
-  rows.add(where, name, 'heap, bytes a triangle', heap && heap / triangles, untold);
+}
+
+function noteHeap(
+  rows: Rows,
+  where: string,
+  name: string,
+  triangles: number,
+  heap: number | null,
+): void {
+  const told = heap ?? undefined;
+  const untold = heap === null ? 'the browser does not say' : undefined;
+  rows.add(where, name, 'heap, MB', told && told / 1e6, untold);
+  rows.add(where, name, 'heap, bytes a triangle', told && told / triangles, untold);
 }
 
 /** Where the triangles of a huge mesh are, which the collider finds in slices while the character walks already. */

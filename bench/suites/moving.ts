@@ -1,5 +1,5 @@
 import { Vector3 } from 'three';
-import { MeteredCharacter } from './MeteredCharacter.js';
+import { type FrameCost, MeteredCharacter, partsOf } from './MeteredCharacter.js';
 import { boxes } from './moving/boxes.js';
 import { crowd } from './moving/crowd.js';
 import type { MovingCase, MovingRival } from './moving/MovingCase.js';
@@ -92,16 +92,17 @@ function ours(name: string, metered: MeteredCharacter, what: MovingCase): Contes
           placed = true;
         }
         const { draws } = collider.stats;
-        const times: number[] = [];
+        const costs: FrameCost[] = [];
         const arrivals: number[] = [];
         for (let i = 0; i < frames; i++) {
           advance(what, i);
           const { reads } = collider.stats;
-          times.push((await metered.frame(STILL, false)).whole);
+          costs.push(await metered.frame(STILL, false));
           if (collider.stats.reads > reads) arrivals.push(metered.latency);
         }
         return {
-          [FIGURE]: mean(times),
+          [FIGURE]: mean(costs.map(({ whole }) => whole)),
+          ...partsOf(costs),
           // From the draw's begin until the field is there.
           'a probe with its GPU work, ms': mean(arrivals),
           'probes a frame': (collider.stats.draws - draws) / frames,

@@ -2,7 +2,7 @@ import { Vector3 } from 'three';
 import type { Backend } from '../../e2e/support/rendering.js';
 import { Inputs } from '../walk/Inputs.js';
 import type { Walker } from '../walk/walkers/Walker.js';
-import { type FrameCost, MeteredCharacter } from './MeteredCharacter.js';
+import { type FrameCost, MeteredCharacter, partsOf } from './MeteredCharacter.js';
 import { BACKENDS, nameOf } from './ours.js';
 import { FRAME, later, mean, nextFrame, quantile, rotated } from './pace.js';
 import { levelPlace, type Place, SIZES, terrainPlace } from './places.js';
@@ -14,16 +14,6 @@ import type { SuiteOptions, SuiteRow } from './suite.js';
 const SETTLING = 90;
 /** How far below everything it has fallen out, metres. */
 const LOST = 10;
-
-const PARTS = ['select', 'submit', 'poll', 'read', 'decode', 'solve'] as const;
-const PART_NAMES = {
-  select: 'select',
-  submit: 'submit',
-  poll: 'ask for the read',
-  read: 'read back',
-  decode: 'decode',
-  solve: 'solve',
-};
 
 const STILL = new Vector3();
 
@@ -57,7 +47,7 @@ export default async function step(
     const place = await make();
     tell(`${place.name}: ${place.triangles} triangles`);
     const contestants = await enter(place, rows);
-    for (const each of contestants) await each.walk(place, 0, Math.min(frames, 60));
+    for (const each of contestants) await each.walk(place, 0, quick ? 60 : frames);
     for (let round = 0; round < rounds; round++) {
       for (const each of rotated(contestants, round)) {
         const figures = await each.walk(place, round, frames);
@@ -104,7 +94,7 @@ async function enterOurs(backend: Backend, { scene, start }: Place): Promise<Con
           if (i > 2 && character.grounded) break;
         }
         const { steps, held } = character.stats;
-        const { draws } = collider.stats;
+        const { draws, forced } = collider.stats;
         const costs: FrameCost[] = [];
         const inputs = new Inputs(1 + number, new Vector3());
         for (let i = 0; i < frames; i++) {
@@ -113,11 +103,10 @@ async function enterOurs(backend: Backend, { scene, start }: Place): Promise<Con
           const { position } = character.body;
           if (position.y < place.lowest - LOST) character.teleport(place.start(number));
         }
-        const figures = summary(costs.map(({ whole }) => whole));
-        for (const part of PARTS) {
-          figures[`${PART_NAMES[part]}, ms`] = mean(costs.map((cost) => cost[part]));
-        }
+        const figures = { ...summary(costs.map(({ whole }) => whole)), ...partsOf(costs) };
         figures['probes a frame'] = (collider.stats.draws - draws) / frames;
+        figures['reads waited for, % of probes'] =
+          (100 * (collider.stats.forced - forced)) / (collider.stats.draws - draws);
         figures['steps held, %'] =
           (100 * (character.stats.held - held)) / (character.stats.steps - steps);
         return figures;

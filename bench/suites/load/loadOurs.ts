@@ -11,7 +11,6 @@ import type { Backend, Rendering } from '../../../e2e/support/rendering.js';
 import { heapBytes } from '../heap.js';
 import { disposeRendering, drained, drawPage, findTriangles, tryRendering } from '../ours.js';
 import { FRAME, later, nextFrame } from '../pace.js';
-import { fresh } from '../places.js';
 import { endOfChains, watchTasks } from '../watchTasks.js';
 import type { Loaded } from './Loaded.js';
 
@@ -19,30 +18,46 @@ const START = new Vector3(0.571, 1, 0);
 /** Longest that a first step is waited for, milliseconds. */
 const PATIENCE = 120_000;
 
-interface Life {
-  blocking: number;
-  waited: number;
-  first: number;
-  heap: number | null;
-}
-
 /**
- * From a renderer and a scene to the first step, programs compiled: twice. On a page that has drawn the scene before, and
- * on one that has not, where its vertices, which go to the GPU but once, do so with the first cubemap.
+ * From a renderer and a scene to the first step, programs compiled.
  *
+ * @param drawn whether the page has drawn the scene before; else its vertices, which go to the GPU but once, do so with
+ *   the first cubemap
  * @returns null where the browser has no such backend
  */
-export async function loadOurs(backend: Backend, geometry: BufferGeometry): Promise<Loaded | null> {
-  const drawn = await live(backend, geometry, true);
-  const undrawn = drawn && (await live(backend, fresh(geometry), false));
-  return undrawn && { ...drawn, withUpload: undrawn.blocking };
+export function loadOurs(
+  backend: Backend,
+  geometry: BufferGeometry,
+  drawn = true,
+): Promise<Loaded | null> {
+  return onPage(backend, geometry, drawn, step);
 }
 
-async function live(
+/** Bytes that it keeps once all triangles are found; null where the browser does not say. */
+export function weighOurs(backend: Backend, geometry: BufferGeometry): Promise<number | null> {
+  return onPage(backend, geometry, true, async (rendering, scene) => {
+    const before = await heapBytes();
+    const collider = rendering.collider();
+    const character = new CharacterController(collider);
+    character.teleport(START);
+    // Again, with what is drawn once the triangles are found.
+    for (let i = 0; i < 2; i++) {
+      await findTriangles(collider, rendering, scene, START);
+      character.update(rendering.renderer, scene, FRAME);
+    }
+    const after = await heapBytes();
+    character.dispose();
+    collider.dispose();
+    return before === null || after === null ? null : after - before;
+  });
+}
+
+async function onPage<T>(
   backend: Backend,
   geometry: BufferGeometry,
   draws: boolean,
-): Promise<Life | null> {
+  live: (rendering: Rendering, scene: Scene) => Promise<T>,
+): Promise<T | null> {
   const rendering = await tryRendering(backend);
   if (rendering === null) return null;
   const scene = new Scene().add(new Mesh(geometry, new MeshBasicMaterial()));
@@ -51,15 +66,14 @@ async function live(
     camera.position.set(0, 2, 0);
     await drawPage(rendering, scene, camera);
   }
-  const life = await step(rendering, scene, draws);
+  const result = await live(rendering, scene);
   await drained(rendering);
   disposeRendering(rendering);
-  return life;
+  return result;
 }
 
-async function step(rendering: Rendering, scene: Scene, weighs: boolean): Promise<Life> {
+async function step(rendering: Rendering, scene: Scene): Promise<Loaded> {
   const { renderer } = rendering;
-  const before = weighs ? await heapBytes() : null;
   let blocking = 0;
   const unwatch = watchTasks((milliseconds) => (blocking += milliseconds), {
     frames: rendering.backend === 'WebGL2',
@@ -85,14 +99,7 @@ async function step(rendering: Rendering, scene: Scene, weighs: boolean): Promis
   const first = performance.now() - begin;
   unwatch();
   const waited = collider.stats.blocked;
-  let heap: number | null = null;
-  if (before !== null) {
-    await findTriangles(collider, rendering, scene, START);
-    character.update(renderer, scene, FRAME);
-    const after = await heapBytes();
-    heap = after === null ? null : after - before;
-  }
   character.dispose();
   collider.dispose();
-  return { blocking, waited, first, heap };
+  return { blocking, waited, first };
 }
