@@ -19,6 +19,8 @@ const HERE = 0.03;
 const PATIENCE = 0.25;
 /** How long after it came to rest one more field is drawn around where it is, seconds. */
 const SETTLED = 0.25;
+/** The same where it wants to go on: a look from here may show that nothing is in its way. */
+const PRESSED = 0.04;
 /** Slower than this it is at rest, m/s. */
 const STILL = 0.01;
 
@@ -31,6 +33,7 @@ export class DrawPolicy {
   readonly #from = new Vector3();
   #since = Infinity;
   #rested = 0;
+  #patience = SETTLED;
   #settled = false;
 
   /** After a teleport: draw at once. */
@@ -48,6 +51,7 @@ export class DrawPolicy {
    * @param velocity of the body, m/s
    * @param room how far the body may move from a field's centre
    * @param waiting whether the body stands for want of a field
+   * @param pressing whether it wants to walk
    * @param sees whether what is ahead can be seen
    * @param empty whether there is no field at all
    * @param dt seconds since it was asked last
@@ -59,6 +63,7 @@ export class DrawPolicy {
     velocity: Vector3,
     room: number,
     waiting: boolean,
+    pressing: boolean,
     sees: boolean,
     empty: boolean,
     dt: number,
@@ -66,6 +71,7 @@ export class DrawPolicy {
     this.#since += dt;
     const speed = velocity.length();
     this.#rested = speed < STILL ? this.#rested + dt : 0;
+    this.#patience = pressing ? PRESSED : SETTLED;
     if (this.#rested === 0) this.#settled = false;
     if (survey.changed || empty || Number.isNaN(this.center.x)) return true;
     // Asked for already, it is on its way; but ways get lost.
@@ -78,7 +84,7 @@ export class DrawPolicy {
     // It turned away from where it was expected.
     const away = middle.distanceTo(this.center);
     if (away > this.#from.distanceTo(this.center) + 0.5 * most) return true;
-    return this.#rested > SETTLED && !this.#settled && away > 0.02;
+    return this.#rested > this.#patience && !this.#settled && away > 0.02;
   }
 
   /**
@@ -106,7 +112,7 @@ export class DrawPolicy {
     this.center.copy(center);
     this.#from.copy(from);
     this.#since = 0;
-    this.#settled = this.#rested > SETTLED;
+    this.#settled = this.#rested > this.#patience;
   }
 }
 

@@ -40,6 +40,8 @@ export class Probe<R, S> {
   /** Where and when the last draws were made: reads come late, and maybe not all of them. */
   readonly #asked = Array.from({ length: ASKED }, () => ({ center: new Vector3(NaN), clock: 0 }));
   #turn = 0;
+  /** Did fields see what is ahead, when a draw was asked for last? */
+  #sees = false;
 
   constructor(collider: CharacterCollider<R, S>, memory: FieldMemory, body: Capsule) {
     this.#collider = collider;
@@ -98,6 +100,7 @@ export class Probe<R, S> {
    * @param hurry whether to draw as often as for what moves
    * @param velocity body's frame, m/s
    * @param waiting whether the body stands for want of a field
+   * @param pressing whether it wants to walk
    * @param dt seconds since it was asked last
    */
   isDue(
@@ -105,9 +108,10 @@ export class Probe<R, S> {
     hurry: boolean,
     velocity: Vector3,
     waiting: boolean,
+    pressing: boolean,
     dt: number,
   ): boolean {
-    const sees = this.seesAhead(velocity, this.latency + SOON);
+    this.#sees = this.seesAhead(velocity, this.latency + SOON);
     const empty = this.#memory.newest === null;
     this.#middle(middle);
     return this.#policy.due(
@@ -117,7 +121,8 @@ export class Probe<R, S> {
       velocity,
       this.#room(),
       waiting,
-      sees,
+      pressing,
+      this.#sees,
       empty,
       dt,
     );
@@ -147,8 +152,9 @@ export class Probe<R, S> {
       this.#retreat();
     }
     collider.position.copy(target);
-    // In a fast fall the newest field is always far behind, and no reason to block; what it vouches for still holds.
-    const patient = ahead && velocity.y < -REACH_SPEED;
+    // As long as what it moves toward can be seen an old field is no reason to block, nor in a fast fall, where it always is
+    // far behind: what it vouches for still holds.
+    const patient = ahead && (this.#sees || velocity.y < -REACH_SPEED);
     if (collider.update(renderer, scene, patient) === false) return false;
     this.#policy.drawn(target, middle);
     const asked = this.#asked[this.#turn++ % ASKED]!;

@@ -188,7 +188,8 @@ export class SlideMotion<R, S> implements Motion<R, S> {
     this.list.findSensors(survey.sensors, this.#state);
     this.#report();
     const hurry = this.#platforms.bends || this.#watch.unsure;
-    if (this.#probe.isDue(survey, hurry, this.#velocity, this.#waiting, dt)) {
+    const pressing = this.#wish.x !== 0 || this.#wish.z !== 0;
+    if (this.#probe.isDue(survey, hurry, this.#velocity, this.#waiting, pressing, dt)) {
       this.#draw(renderer, scene, !this.#waiting);
     }
   }

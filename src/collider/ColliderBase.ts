@@ -16,6 +16,9 @@ import type { SelectionRules } from './SceneWalk.js';
 import { Selection } from './Selection.js';
 import { Survey, type SurveyReport } from './Survey.js';
 
+/** How long `compile` looks for the triangles of huge meshes, milliseconds; the rest is found frame by frame. */
+const LOOKING = 1000;
+
 const worldPosition = new Vector3();
 
 /**
@@ -252,13 +255,20 @@ export abstract class ColliderBase<Renderer> extends Object3D {
     }
   }
 
-  /** Compiles the programs for what is in `scene`, so that the first `update` does not stutter. */
+  /**
+   * Compiles the programs for what is in `scene`, and looks for where the triangles of its huge meshes are, up to a second,
+   * in slices between which the page goes on: so that the first `update` neither stutters nor draws all of them.
+   */
   async compile(renderer: Renderer, scene: Object3D): Promise<void> {
     if (!this.#usable(renderer, scene)) return;
     const gpu = this.#resources(renderer);
     const center = worldPosition.setFromMatrixPosition(this.matrixWorld).clone();
     // Again, where a material could not be wrapped and something plainer takes its place.
     while (this.#gpu === gpu && (await this.#compileOnce(gpu, scene, center)));
+    const end = performance.now() + LOOKING;
+    while (this.#gpu === gpu && this.#selection.prepare() && performance.now() < end) {
+      await new Promise((resolve) => setTimeout(resolve));
+    }
   }
 
   /** @returns whether some programs turned out not to work */
@@ -272,7 +282,7 @@ export abstract class ColliderBase<Renderer> extends Object3D {
     this.#selected = waiting.scene;
     this.#center.copy(waiting.center);
     this.#scenery.far = waiting.far;
-    this.#selection.clear();
+    this.#selection.forget();
     return compiled;
   }
 

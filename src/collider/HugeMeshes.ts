@@ -71,25 +71,26 @@ export class HugeMeshes {
     }
   }
 
-  /** Goes on looking for triangles: once a frame. */
-  work(): void {
+  /** Goes on looking for triangles: once a frame. @returns whether there are more to look for */
+  work(): boolean {
     const index = this.#pending[0];
-    if (index === undefined) return;
+    if (index === undefined) return false;
     const rest = this.#rest.get(index) ?? 0;
     if (rest > 0) {
       this.#rest.set(index, rest - 1);
       // Others need not wait for it.
       this.#pending.push(this.#pending.shift()!);
-      return;
+      return true;
     }
     const now = performance.now();
     if (worker?.deref() !== this) {
-      if (now < worked + OTHERS) return;
+      if (now < worked + OTHERS) return true;
       worker = new WeakRef(this);
     }
     if (!index.done) index.work(now + SLICE);
     worked = performance.now();
     if (index.done) this.#pending.shift();
+    return this.#pending.length > 0;
   }
 
   #indexOf(geometry: BufferGeometry): TriangleIndex | null {

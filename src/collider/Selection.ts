@@ -55,16 +55,25 @@ export class Selection {
 
   /** Lets go of the user's objects, and of what their batches have on the GPU. */
   clear(): void {
+    this.forget();
+    this.#huge.clear();
+  }
+
+  /** The same, but for huge meshes whose triangles it is still looking for. */
+  forget(): void {
     this.proxies.length = 0;
     this.#scene = undefined as never;
     for (const batch of this.#batches) batch.dispose();
     this.#batches.clear();
-    this.#huge.clear();
   }
 
-  /** Goes on finding out where the triangles of huge meshes are; for a frame without a draw. */
-  prepare(): void {
-    this.#huge.work();
+  /**
+   * Goes on finding out where the triangles of huge meshes are; for a frame without a draw.
+   *
+   * @returns whether there are more to find
+   */
+  prepare(): boolean {
+    return this.#huge.work();
   }
 
   /**

@@ -144,4 +144,20 @@ describe('what comes and goes', () => {
     const { steps, held, slowed } = walker.character.stats;
     expect((held + slowed) / steps).toBeLessThan(0.05);
   });
+
+  it.each([0, 1, 3])(
+    'should look again from where something stops it, and then no more, %i late',
+    (latency) => {
+      const walker = new WorldWalker(new World(ground(), wall(1)), { latency }).settle(1);
+      // It reaches the wall after 0.21 s.
+      walker.walk(3).run(0.36);
+      const middle = walker.foot.clone();
+      middle.y += 0.36 * 1.8;
+      expect(walker.collider.position.distanceTo(middle)).toBeLessThan(0.03);
+      walker.run(0.2);
+      const { draws } = walker.collider;
+      walker.run(2);
+      expect(walker.collider.draws).toBe(draws);
+    },
+  );
 });
