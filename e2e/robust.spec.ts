@@ -71,6 +71,16 @@ test.describe('on a page whose GPU never drains', () => {
   });
 });
 
+test('a character should run up steps where no read comes by itself, and never stand for long', async ({
+  page,
+}) => {
+  const { x, y, longest } = await run(page, 'stairsNeverDrained', undefined);
+  console.log(`    ${x.toFixed(2)} m far, ${y.toFixed(2)} m up, stood ${longest} frames at most`);
+  expect(y).toBeGreaterThan(0.48);
+  // 0.5 s for a read, and a look from where it stood.
+  expect(longest).toBeLessThanOrEqual(8);
+});
+
 test('should tell fronts from backs, by either rule of sides', async ({ page }) => {
   expect(await run(page, 'sides')).toEqual({
     'both FrontSide inside': 'back at 1.0',

@@ -109,6 +109,43 @@ const cases = {
     return { farthest, oldest, forced, reads };
   },
 
+  /** The same page, and a character that runs up gentle steps in it, ten frames a second. */
+  async stairsNeverDrained() {
+    const renderer = new WebGLRenderer();
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    gl.clientWaitSync = () => gl.TIMEOUT_EXPIRED;
+    const { now } = performance;
+    let clock = 0;
+    performance.now = () => clock;
+    const scene = new Scene();
+    for (let i = 0; i <= 8; i++) {
+      const step = new Mesh(new BoxGeometry(i === 0 ? 4 : 40 - 0.4 * i, 1, 4));
+      step.position.set(i === 0 ? -1.5 : 20 + 0.2 * i, 0.06 * i - 0.5, 0);
+      scene.add(step);
+    }
+    const character = new CharacterController<WebGLRenderer, Scene>(new CubeCollider());
+    character.teleport(new Vector3(-2, 0.05, 0));
+    character.walk(new Vector3(6, 0, 0));
+    const ways: number[] = [];
+    for (let i = 0; i < 120; i++) {
+      clock += 100;
+      character.update(renderer, scene, 0.1);
+      ways.push(character.body.position.x);
+      await new Promise((resolve) => setTimeout(resolve, 1));
+    }
+    performance.now = now;
+    character.dispose();
+    renderer.dispose();
+    const longest = ways.reduce(
+      ([most, still], x, i) => {
+        const stands = i > 40 && x - ways[i - 1]! < 1e-3 ? still + 1 : 0;
+        return [Math.max(most!, stands), stands];
+      },
+      [0, 0],
+    )[0]!;
+    return { x: ways.at(-1)!, y: character.body.position.y, longest };
+  },
+
   /** Whether a texel's surface is told to be a front, by the material's side, from inside and outside a box. */
   async sides() {
     const renderer = new WebGLRenderer();

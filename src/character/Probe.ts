@@ -22,6 +22,11 @@ const CENTRE_RATIO = 0.36;
 const WALKING = 0.3;
 /** A field drawn this near to the body's middle sees what can be seen from there, metres. */
 const NEAR_ENOUGH = 0.03;
+/**
+ * After so long a draw that has not come is asked for again, seconds: on a page whose GPU is never idle none comes by
+ * itself, and a body that an old field stops would stand for ever.
+ */
+const LATE = 0.2;
 /** How far ahead it looks for corners it cannot see round, beyond the time until a field is there, seconds. */
 const SOON = 2 / 60;
 
@@ -102,6 +107,7 @@ export class Probe<R, S> {
    * @param waiting whether the body stands for want of a field
    * @param pressing whether it wants to walk
    * @param dt seconds since it was asked last
+   * @param clock the character's, seconds
    */
   isDue(
     survey: Readonly<Survey>,
@@ -110,11 +116,12 @@ export class Probe<R, S> {
     waiting: boolean,
     pressing: boolean,
     dt: number,
+    clock: number,
   ): boolean {
     this.#sees = this.seesAhead(velocity, this.latency + SOON);
     const empty = this.#memory.newest === null;
     this.#middle(middle);
-    return this.#policy.due(
+    const due = this.#policy.due(
       survey,
       hurry,
       middle,
@@ -126,6 +133,7 @@ export class Probe<R, S> {
       empty,
       dt,
     );
+    return due || this.#isLate(clock);
   }
 
   /**
@@ -161,6 +169,13 @@ export class Probe<R, S> {
     asked.center.copy(target);
     asked.clock = clock;
     return true;
+  }
+
+  /** Has the last draw been asked for long ago, and not come? */
+  #isLate(clock: number): boolean {
+    const { newest } = this.#memory;
+    const last = this.#asked[(this.#turn + ASKED - 1) % ASKED]!;
+    return newest !== null && clock - last.clock > LATE && !last.center.equals(newest.center);
   }
 
   /** Brings `target` back to where it is free for sure: a centre inside something sees nothing. */

@@ -189,7 +189,8 @@ export class SlideMotion<R, S> implements Motion<R, S> {
     this.#report();
     const hurry = this.#platforms.bends || this.#watch.unsure;
     const pressing = this.#wish.x !== 0 || this.#wish.z !== 0;
-    if (this.#probe.isDue(survey, hurry, this.#velocity, this.#waiting, pressing, dt)) {
+    const clock = this.#clock;
+    if (this.#probe.isDue(survey, hurry, this.#velocity, this.#waiting, pressing, dt, clock)) {
       this.#draw(renderer, scene, !this.#waiting);
     }
   }
