@@ -49,7 +49,8 @@ export default async function readback({
   frames,
 }: ReadbackCase): Promise<ReadbackResult> {
   const renderer = new WebGLRenderer({ antialias: false });
-  renderer.setSize(640, 360);
+  // Small: what a software GPU takes to show a large picture would be most of the page.
+  renderer.setSize(320, 180);
   document.body.replaceChildren(renderer.domElement);
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const page = heavyPage();

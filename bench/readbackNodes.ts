@@ -24,7 +24,8 @@ export default async function readbackNodes({
   bare = false,
 }: NodeReadbackCase): Promise<Omit<ReadbackResult, 'mode'> & NodeReadbackCase> {
   const renderer = new WebGPURenderer({ antialias: false, forceWebGL: mode === 'fallback' });
-  renderer.setSize(640, 360);
+  // Small: what a software GPU takes to show a large picture would be most of the page.
+  renderer.setSize(320, 180);
   document.body.replaceChildren(renderer.domElement);
   await renderer.init();
   const { isWebGPUBackend = false } = renderer.backend as { isWebGPUBackend?: boolean };

@@ -11,7 +11,7 @@ import { Rows } from './Rows.js';
 import type { SuiteOptions, SuiteRow } from './suite.js';
 
 /** Of a rival that is slow, so many seconds a repeat are enough to know it. */
-const LONGEST = 3;
+const LONGEST = 2;
 /** Frames until ours stands on the floor. */
 const SETTLING = 60;
 
@@ -34,7 +34,7 @@ export default async function moving(
   await rapierMemory();
   const rows = new Rows();
   const rounds = quick ? 1 : Math.max(repeats, 5);
-  const frames = quick ? 30 : 120;
+  const frames = quick ? 30 : 60;
   const cases = [
     () => crowd(10_000),
     () => crowd(100_000),

@@ -31,7 +31,7 @@ export default async function step(
   tell: (line: string) => void,
 ): Promise<SuiteRow[]> {
   const rows = new Rows();
-  const frames = quick ? 40 : 300;
+  const frames = quick ? 40 : 150;
   const rounds = quick ? Math.min(repeats, 2) : Math.max(repeats, 5);
   const places = [
     ...Object.entries(SIZES)
