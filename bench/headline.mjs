@@ -59,7 +59,7 @@ function walking(results) {
   );
   if (!names.includes(OURS)) return '';
   const told = names.map((name) => (name === OURS ? both(name) : `${name} ${both(name)}`));
-  return `- Its body gets into the level by, at most in all walks, p99 / max, mm (negative: a gap): ${told.join('; ')}.`;
+  return `- Deepest that its body gets into a level, the worst of all walks, p99 / max, mm (negative: a gap): ${told.join('; ')}.`;
 }
 
 /** @param {Results} results */

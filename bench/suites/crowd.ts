@@ -41,7 +41,7 @@ export default async function crowd(
 ): Promise<SuiteRow[]> {
   const rows = new Rows();
   const place = terrainPlace('10k triangles', 10_000);
-  const frames = quick ? 30 : 60;
+  const frames = quick ? 30 : 40;
   for (const count of quick ? COUNTS.slice(0, 2) : COUNTS) {
     const where = count === 1 ? '1 character' : `${count} characters`;
     const crowds = await enter(place, count, (name, note) =>

@@ -122,7 +122,7 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
    * programs are others, and fails where the user's own is under way.
    */
   async compile(scenery: Scenery): Promise<boolean> {
-    this.draw([scenery], () => {});
+    this.draw([inOneFace(scenery)], () => {});
     await backendOf(this.renderer).device?.queue.onSubmittedWorkDone();
     return false;
   }
@@ -164,6 +164,17 @@ export class WebGPUDevice implements CubemapDevice<WebGPURenderer> {
     // The clear colour, which is ours here.
     scene.background = null;
   }
+}
+
+/** Programs do not depend on the face, and what is huge is drawn whole for once. */
+function inOneFace(scenery: Scenery): Scenery {
+  const { scene, centers, far } = scenery;
+  const select = () => {
+    const proxies = scenery.select();
+    for (const { layers } of proxies) layers.set(0);
+    return proxies;
+  };
+  return { scene, centers, far, select };
 }
 
 function createReduction(
