@@ -22,7 +22,7 @@ export interface CubeColliderGroupStats {
   cubemaps: number;
   /** Reads, of several cubemaps each. */
   reads: number;
-  /** Reads that had to be waited for, since they were older than a collider's `maxAge`. */
+  /** Reads that had to be waited for, since they were older than half a second. */
   forced: number;
   /** Milliseconds the page has waited in reads, all together, and in the last one. */
   blocked: number;

@@ -100,40 +100,21 @@ export function boundBlock(
   block: Float32Array,
   b: number,
 ): void {
-  let x = 0;
-  let y = 0;
-  let z = 0;
-  let n = 0;
-  for (let p = PIECE * from; p < PIECE * to; p += PIECE) {
-    if (piece[p] === AWAY) continue;
-    x += piece[p]!;
-    y += piece[p + 1]!;
-    z += piece[p + 2]!;
-    n++;
-  }
-  x = n > 0 ? x / n : AWAY;
-  y /= Math.max(1, n);
-  z /= Math.max(1, n);
-  let extent = 0;
+  boundBalls(piece, from, to, block, b);
+  const o = PIECE * b;
   let kind = GOES_ON;
   const nx = piece[PIECE * from + 4]!;
   const ny = piece[PIECE * from + 5]!;
   const nz = piece[PIECE * from + 6]!;
   for (let p = PIECE * from; p < PIECE * to; p += PIECE) {
     if (piece[p] === AWAY) continue;
-    const dx = piece[p]! - x;
-    const dy = piece[p + 1]! - y;
-    const dz = piece[p + 2]! - z;
-    extent = Math.max(extent, Math.sqrt(dx * dx + dy * dy + dz * dz) + piece[p + 3]!);
+    const dx = piece[p]! - block[o]!;
+    const dy = piece[p + 1]! - block[o + 1]!;
+    const dz = piece[p + 2]! - block[o + 2]!;
     const alike = nx * piece[p + 4]! + ny * piece[p + 5]! + nz * piece[p + 6]!;
     const off = Math.abs(nx * dx + ny * dy + nz * dz);
     if (piece[p + 7] !== GOES_ON || alike < SAME_NORMAL || off > SAME_PLANE) kind = MIXED;
   }
-  const o = PIECE * b;
-  block[o] = x;
-  block[o + 1] = y;
-  block[o + 2] = z;
-  block[o + 3] = extent;
   block[o + 4] = nx;
   block[o + 5] = ny;
   block[o + 6] = nz;
