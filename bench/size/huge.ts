@@ -11,7 +11,7 @@ const SIZE = 100;
 /** As the collider has it, milliseconds. */
 const SLICE = 1.5;
 /** Meshes with fewer triangles are never indexed. */
-const HUGE = 20_000;
+const HUGE = 512;
 
 /** Draws and reads one mesh of a level from many places: whole, while its triangles are found, and then what is near. */
 export default function huge(options: {

@@ -12,7 +12,7 @@ import { Rows } from './Rows.js';
 import type { SuiteOptions, SuiteRow } from './suite.js';
 
 /** Meshes with fewer triangles are never indexed. */
-const HUGE = 20_000;
+const HUGE = 512;
 
 interface Contestant {
   name: string;

@@ -1,11 +1,10 @@
 import type { BufferGeometry, Mesh, Vector3 } from 'three';
 import { NearTriangles } from './NearTriangles.js';
-import type { ObjectProxy } from './objectProxy.js';
 import { TriangleIndex } from './TriangleIndex.js';
 import { isPlain, trianglesOf, verticesOf } from './verticesOf.js';
 
 /** Meshes with fewer triangles are drawn whole. */
-const HUGE = 20_000;
+const HUGE = 512;
 /** Time for finding runs, a frame, milliseconds. */
 const SLICE = 1.5;
 /** Frames for which an edited geometry must have kept still before its runs are found anew. */
@@ -38,12 +37,12 @@ export class HugeMeshes {
   }
 
   /**
-   * The proxy that draws what is near of a mesh, or null where it is to be drawn whole.
+   * What draws the triangles near by of a mesh, or null where it is to be drawn whole.
    *
    * @param center world space
    * @param reach metres
    */
-  proxyFor(mesh: Mesh, center: Vector3, reach: number): ObjectProxy | null {
+  nearOf(mesh: Mesh, center: Vector3, reach: number): NearTriangles | null {
     const { geometry } = mesh;
     if (trianglesOf(geometry) < HUGE || !isPlain(mesh)) return null;
     const index = this.#indexOf(geometry);
@@ -57,7 +56,7 @@ export class HugeMeshes {
       this.#near.set(mesh, (entry = { near: new NearTriangles(mesh, index), drawn: 0 }));
     }
     entry.drawn = this.#draw;
-    return entry.near.update(center, reach) ? entry.near.proxy : null;
+    return entry.near.update(center, reach) ? entry.near : null;
   }
 
   /** After a selection: frees what has not been needed for some draws. */

@@ -6,8 +6,9 @@ import {
   type Mesh,
   Vector3,
 } from 'three';
+import { facesOfBox } from './boxFaces.js';
 import { createObjectProxy, type ObjectProxy } from './objectProxy.js';
-import type { TriangleIndex } from './TriangleIndex.js';
+import { empty, type TriangleIndex } from './TriangleIndex.js';
 
 /** Gathered that much farther than the reach, as a part of it, so as to serve several draws. */
 const MARGIN = 0.25;
@@ -35,6 +36,8 @@ export class NearTriangles {
   readonly #needed = new Float64Array(6);
   /** The parts of the geometry that are drawn: first triangle, last but one, number of the material. */
   readonly #parts: number[] = [];
+  /** The box around the gathered triangles. */
+  readonly #around = new Float64Array(6);
   #partial = false;
 
   constructor(mesh: Mesh, index: TriangleIndex) {
@@ -66,6 +69,11 @@ export class NearTriangles {
     this.#box(center, reach * (1 + MARGIN), this.#gathered);
     this.#partial = this.#gather();
     return this.#partial;
+  }
+
+  /** A bit for each face of the cubemap that the gathered triangles may be seen in. */
+  facesTouched(center: Vector3, reach: number): number {
+    return facesOfBox(this.#around, this.mesh.matrixWorld, center, reach);
   }
 
   /** Frees what it has on the GPU; the user's attributes stay. */
@@ -133,19 +141,20 @@ export class NearTriangles {
     const parts = this.#parts;
     const several = Array.isArray(this.mesh.material);
     geometry.clearGroups();
+    empty(this.#around, 0);
     let count = 0;
     for (let i = 0; i < parts.length; i += 3) {
       const start = parts[i]!;
       // Triangles between two of those that are known.
       if (start % 3 !== 0) return false;
       const to = Math.min(triangles, Math.floor(parts[i + 1]! / 3));
-      let end = this.#index.gather(this.#gathered, start / 3, to, numbers, count);
+      let end = this.#index.gather(this.#gathered, start / 3, to, numbers, count, this.#around);
       while (end < 0) {
         if (numbers.length > MOST * triangles) return false;
         const grown = new Uint32Array(2 * numbers.length);
         grown.set(numbers);
         numbers = grown;
-        end = this.#index.gather(this.#gathered, start / 3, to, numbers, count);
+        end = this.#index.gather(this.#gathered, start / 3, to, numbers, count, this.#around);
       }
       if (several) geometry.addGroup(3 * count, 3 * (end - count), parts[i + 2]!);
       count = end;

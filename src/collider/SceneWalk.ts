@@ -8,6 +8,7 @@ import {
   type Vector3,
 } from 'three';
 import { FACES } from '../cube/faces.js';
+import { boxOf, facesOfBox } from './boxFaces.js';
 import { faultOf } from './faultOf.js';
 import { isComputed } from './isRigid.js';
 import { isSolid, type Solidity, solidityOf, type TransparentPolicy } from './isSolid.js';
@@ -15,6 +16,7 @@ import { isLevel, levelShown } from './levelShown.js';
 import { movesVertices } from './materialKind.js';
 import type { SceneIndex } from './SceneIndex.js';
 import type { SceneNode } from './SceneNode.js';
+import { isPlain } from './verticesOf.js';
 
 /** What decides whether an object is solid. */
 export interface SelectionRules {
@@ -128,8 +130,15 @@ export class SceneWalk {
     if (!none && (mayMoveVertices(material) || isComputed(mesh))) faces = ALL_FACES;
     if (this.#rules.filter?.(mesh) === false) return;
     const fault = faultOf(mesh);
-    if (fault === null) this.#listener.solid(mesh, faces);
-    else this.#rules.faulty?.(mesh, fault);
+    if (fault !== null) {
+      this.#rules.faulty?.(mesh, fault);
+      return;
+    }
+    if (mesh.frustumCulled && isPlain(mesh)) {
+      const box = boxOf(mesh.geometry);
+      if (box !== null) faces &= facesOfBox(box, mesh.matrixWorld, this.#center, this.#far);
+    }
+    if (faces !== 0) this.#listener.solid(mesh, faces);
   }
 
   /** It needs no material: only where its geometry is matters. */

@@ -31,8 +31,11 @@ export class Selection {
   readonly #walk: SceneWalk;
   readonly #listener: WalkListener = {
     solid: (mesh, faces) => {
-      const proxy = this.#huge.proxyFor(mesh, this.#center, this.#far) ?? this.#whole(mesh);
-      proxy.layers.mask = faces;
+      const near = this.#huge.nearOf(mesh, this.#center, this.#far);
+      const proxy = near?.proxy ?? this.#whole(mesh);
+      // Perhaps none: it is listed all the same, as it stands where it does for what surveys between draws.
+      proxy.layers.mask =
+        near === null ? faces : faces & near.facesTouched(this.#center, this.#far);
       proxy.scene = this.#scene as Scene;
       proxy.solidity = solidityOf(mesh, this.#rules.transparent);
       proxy.material = this.#dress(mesh.material, proxy.solidity);

@@ -110,9 +110,17 @@ export class TriangleIndex {
    * @param from number of the first triangle that counts
    * @param to number after the last
    * @param target receives their numbers from `count` on, in ascending order
+   * @param around a box that is made to hold theirs too
    * @returns how many `target` holds then, or -1 if they are more than it takes
    */
-  gather(box: Float64Array, from: number, to: number, target: Uint32Array, count: number): number {
+  gather(
+    box: Float64Array,
+    from: number,
+    to: number,
+    target: Uint32Array,
+    count: number,
+    around?: Float64Array,
+  ): number {
     const start = count;
     const { triangles } = this.vertices;
     const order = this.#order?.triangles ?? null;
@@ -123,6 +131,7 @@ export class TriangleIndex {
         if (!meets(this.#runs, 6 * run, box)) continue;
         const end = Math.min(triangles, (run + 1) * RUN);
         if (count + RUN > target.length) return -1;
+        if (around !== undefined) unite(this.#runs, 6 * run, around, 0);
         for (let i = run * RUN; i < end; i++) {
           const triangle = order === null ? i : order[i]!;
           if (triangle >= from && triangle < to) target[count++] = triangle;
@@ -230,12 +239,17 @@ export function versionOf(attribute: BufferAttribute | InterleavedBufferAttribut
 }
 
 /** Makes a box that nothing is in. */
-function empty(boxes: Float32Array, at: number): void {
+export function empty(boxes: Float32Array | Float64Array, at: number): void {
   boxes[at] = boxes[at + 1] = boxes[at + 2] = Infinity;
   boxes[at + 3] = boxes[at + 4] = boxes[at + 5] = -Infinity;
 }
 
-function unite(from: Float32Array, at: number, to: Float32Array, into: number): void {
+function unite(
+  from: Float32Array,
+  at: number,
+  to: Float32Array | Float64Array,
+  into: number,
+): void {
   for (let axis = 0; axis < 3; axis++) {
     to[into + axis] = Math.min(to[into + axis]!, from[at + axis]!);
     to[into + axis + 3] = Math.max(to[into + axis + 3]!, from[at + axis + 3]!);
