@@ -80,6 +80,7 @@ function note(rows: Rows, where: string, name: string, loaded: Loaded | null): v
     return;
   }
   rows.add(where, name, 'blocking, ms', loaded.blocking);
+  rows.add(where, name, 'blocking at a stretch, ms', loaded.longest);
   rows.add(where, name, 'to the first step, ms', loaded.first);
   if (loaded.waited !== undefined) {
     rows.add(where, name, 'of it waiting for the GPU, ms', loaded.waited);
@@ -99,7 +100,7 @@ function noteHeap(
   rows.add(where, name, 'heap, bytes a triangle', told && told / triangles, untold);
 }
 
-/** Where the triangles of a huge mesh are, which the collider finds in slices while the character walks already. */
+/** Where the triangles of a large mesh are, which the collider finds in slices. */
 function noteIndex(rows: Rows, where: string, geometry: BufferGeometry, rounds: number): void {
   const vertices = verticesOf(geometry)!;
   if (vertices.triangles < HUGE) return;
@@ -109,7 +110,7 @@ function noteIndex(rows: Rows, where: string, geometry: BufferGeometry, rounds: 
     index.work(Infinity);
     const took = performance.now() - start;
     const name = 'three-cube-collider';
-    rows.add(where, name, 'found later in slices, ms', took);
+    rows.add(where, name, 'found in slices, ms', took);
     rows.add(where, name, 'index, bytes a triangle', index.bytes / vertices.triangles);
   }
 }

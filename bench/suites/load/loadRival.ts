@@ -19,7 +19,7 @@ export async function loadRival(rival: Rival, geometry: BufferGeometry): Promise
   walker.frame(STILL, false, FRAME);
   const blocking = walker.preparation + performance.now() - start;
   walker.dispose();
-  return { blocking, first: blocking };
+  return { blocking, longest: blocking, first: blocking };
 }
 
 /** Bytes that it keeps; null where the browser does not say. Sizes must come in ascending order. */
