@@ -7,7 +7,7 @@ import {
   DEFAULTS,
   SlideResponse,
 } from 'three-cube-collider';
-import { createAvatar } from './avatar.js';
+import { createAvatar } from './avatar/createAvatar.js';
 import { createHall, type Hall } from './hall/createHall.js';
 import { addLighting, type Lighting } from './lighting.js';
 import { GroundSpeed } from './GroundSpeed.js';
@@ -84,6 +84,7 @@ function start(screen: StartScreen, rendering: Rendering) {
       // While it waits for surfaces it stands still, whatever is below.
       character.grounded || !character.ready,
       character.crouched,
+      character.velocity.y,
     );
 
     renderer.render(scene, camera);
@@ -126,6 +127,7 @@ function start(screen: StartScreen, rendering: Rendering) {
   async function load(): Promise<void> {
     const level = await loadLevel(parameters.level, (part) => screen.loading(part));
     screen.preparing();
+    await avatar.ready;
     lighting = addLighting(scene, renderer);
     scene.add(level.root);
     if (parameters.level === DEFAULT_LEVEL) {
@@ -207,6 +209,7 @@ function start(screen: StartScreen, rendering: Rendering) {
     renderer,
     scene,
     camera,
+    avatar,
     controls,
     helper,
     settings,
