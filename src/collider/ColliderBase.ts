@@ -324,8 +324,14 @@ export abstract class ColliderBase<Renderer> extends Object3D {
     const start = performance.now();
     const stamp = gpu.finish();
     this.#blocked(start);
-    if (stamp !== null) this.#newest.publish(gpu, stamp, this.#updates);
+    if (stamp !== null) this.#publish(gpu, stamp);
     this.#settle();
+  }
+
+  #publish(gpu: CubemapDevice<Renderer>, stamp: DrawStamp): void {
+    const start = performance.now();
+    this.#newest.publish(gpu, stamp, this.#updates);
+    this.stats.decoding += performance.now() - start;
   }
 
   /** Select, draw, and read (`now`, or start to): what was drawn last is still bound then. */
@@ -334,7 +340,13 @@ export abstract class ColliderBase<Renderer> extends Object3D {
     this.#selected = scene;
     this.#center.copy(center);
     this.#scenery.far = this.#far;
+    const { stats } = this;
+    const start = performance.now();
+    // What is done meanwhile and counted on its own.
+    const others = stats.selecting + stats.blocked + stats.decoding;
     gpu.draw(this.#sceneries, this.#drawn);
+    const counted = stats.selecting + stats.blocked + stats.decoding - others;
+    if (this.#host === null) stats.submitting += performance.now() - start - counted;
   }
 
   #afterDraw(calls: number): void {
@@ -352,7 +364,7 @@ export abstract class ColliderBase<Renderer> extends Object3D {
     const start = performance.now();
     gpu.readNow!();
     this.#blocked(start);
-    this.#newest.publish(gpu, stamp, this.#updates);
+    this.#publish(gpu, stamp);
   }
 
   /** Within what the next draw selects, metres. */
@@ -378,6 +390,7 @@ export abstract class ColliderBase<Renderer> extends Object3D {
     );
     this.#scene.children = proxies;
     this.stats.objects = proxies.length;
+    this.stats.selecting += performance.now() - this.#time;
     return proxies;
   }
 

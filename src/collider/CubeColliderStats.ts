@@ -12,6 +12,12 @@ export interface CubeColliderStats {
   blocked: number;
   /** Milliseconds it waited in the last one. */
   lastBlocked: number;
+  /** Milliseconds spent finding what is near and dressing it for the cubemap, all together. */
+  selecting: number;
+  /** Milliseconds spent handing cubemaps to the GPU, all together; of a `CubeColliderGroup` not told. */
+  submitting: number;
+  /** Milliseconds spent turning what was read into fields, all together. */
+  decoding: number;
   /** Milliseconds from the newest field's draw to its arrival. */
   latency: number;
   /** Updates from the newest field's draw to its arrival. */
@@ -35,6 +41,9 @@ export function emptyStats(): CubeColliderStats {
     forced: 0,
     blocked: 0,
     lastBlocked: 0,
+    selecting: 0,
+    submitting: 0,
+    decoding: 0,
     latency: 0,
     latencyUpdates: 0,
     objects: 0,
