@@ -182,8 +182,8 @@ export class CubeColliderHelper {
     drawLabels(canvas, layout, pixelRatio, {
       title: output === 'axis' ? 'Six maxima' : 'Surfaces',
       detail: `6 × ${resolution}² texels`,
-      near: ends[0]!,
-      far: `${ends[1]!} m`,
+      near: `near ${ends[0]!}`,
+      far: `far ${ends[1]!} m`,
     });
     uniforms.labels.value?.dispose();
     const texture = new CanvasTexture(canvas);

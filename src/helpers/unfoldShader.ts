@@ -1,6 +1,7 @@
 import { ATLAS_COLUMNS } from '../cube/atlas.js';
 import { decodeDistanceGLSL, type TexelFormat } from '../cube/encoding.js';
 import { UNFOLDED } from './unfold.js';
+import { VIRIDIS } from './viridis.js';
 
 export const unfoldVertexShader = /* glsl */ `
 varying vec2 vUv;
@@ -12,13 +13,14 @@ void main() {
 
 /**
  * Draws the panel, the six faces and the strip of colours. `nearness` is 1 at the near end of the scale, 0 at the far
- * one, negative for a miss.
- *
- * The colours are viridis, near bright and far dark, in Matt Zucker's polynomial (shadertoy.com/view/WlfXRN, CC0): even
- * steps of distance look like even steps, to the colour-blind too.
+ * one, negative for a miss. The colours are viridis, near bright and far dark.
  */
 export function unfoldFragmentShader(output: 'surface' | 'axis', format: TexelFormat): string {
   const cells = UNFOLDED.map(([column, row]) => `ivec2( ${column}, ${row} )`).join(', ');
+  const horner = [...VIRIDIS]
+    .reverse()
+    .map((each) => `  color = color * t + vec3( ${each.join(', ')} );`)
+    .join('\n');
   const nearness =
     output === 'axis'
       ? 'return texel.r > 0.0 ? texel.r : -1.0;'
@@ -44,14 +46,9 @@ float nearness( vec4 texel ) {
 }
 
 vec3 viridis( float t ) {
-  const vec3 c0 = vec3( 0.2777273272234177, 0.005407344544966578, 0.3340998053353061 );
-  const vec3 c1 = vec3( 0.1050930431085774, 1.404613529898575, 1.384590162594685 );
-  const vec3 c2 = vec3( -0.3308618287255563, 0.214847559468213, 0.09509516302823659 );
-  const vec3 c3 = vec3( -4.634230498983486, -5.799100973351585, -19.33244095627987 );
-  const vec3 c4 = vec3( 6.228269936347081, 14.17993336680509, 56.69055260068105 );
-  const vec3 c5 = vec3( 4.776384997670288, -13.74514537774601, -65.35303263337234 );
-  const vec3 c6 = vec3( -5.435455855934631, 4.645852612178535, 26.3124352495832 );
-  return c0 + t * ( c1 + t * ( c2 + t * ( c3 + t * ( c4 + t * ( c5 + t * c6 ) ) ) ) );
+  vec3 color = vec3( 0.0 );
+${horner}
+  return color;
 }
 
 /** Of a rounded box around the picture, positive outside. */
