@@ -16,8 +16,8 @@ import { createMovers, type Movers } from './movers.js';
 import { element, onReducedMotion } from './page.js';
 import { type Change, createPanel, type Settings } from './panel.js';
 import { DEFAULT_LEVEL, readParameters } from './parameters.js';
+import { Overlays } from './overlays/Overlays.js';
 import { Quality } from './Quality.js';
-import { Readout } from './Readout.js';
 import { createWebGLRendering, type Rendering } from './rendering.js';
 import { StartScreen } from './StartScreen.js';
 
@@ -74,7 +74,9 @@ function start(screen: StartScreen, rendering: Rendering) {
     movers?.update(delta, character.squeezed);
     hall?.update(delta, character.position);
     controls.update(delta);
+    overlays.before();
     character.update(renderer, scene, delta);
+    overlays.after();
     controls.follow(delta);
 
     lighting?.update(character.position);
@@ -87,8 +89,10 @@ function start(screen: StartScreen, rendering: Rendering) {
       character.velocity.y,
     );
 
+    overlays.update();
     renderer.render(scene, camera);
     helper.render(renderer);
+    overlays.tell(delta);
   }
 
   function run(): void {
@@ -96,7 +100,6 @@ function start(screen: StartScreen, rendering: Rendering) {
       timer.update(time);
       const delta = timer.getDelta();
       frame(delta);
-      readout?.update(delta, character, collider);
       quality?.update(delta);
     });
   }
@@ -110,6 +113,7 @@ function start(screen: StartScreen, rendering: Rendering) {
     character.teleport(old.character.position);
     controls.character = character;
     helper.show(collider);
+    overlays.show(character, collider);
     old.collider.dispose();
   }
 
@@ -120,6 +124,7 @@ function start(screen: StartScreen, rendering: Rendering) {
     if (what === 'collider') exchangeCollider();
     if (what === 'response') character.response = createResponse(settings);
     panel?.refresh();
+    overlays.refresh();
     // A choice in the panel leaves the keys to the walk again.
     if (document.activeElement instanceof HTMLSelectElement) canvas.focus({ preventScroll: true });
   }
@@ -148,7 +153,21 @@ function start(screen: StartScreen, rendering: Rendering) {
   }
 
   // What lies over the picture.
-  const readout = parameters.ui ? new Readout() : null;
+  const overlays = new Overlays({
+    renderer,
+    scene,
+    character,
+    collider,
+    ui: parameters.ui,
+    listening: () => controls.enabled,
+    cubemap: {
+      get: () => settings.helper,
+      set(on) {
+        settings.helper = on;
+        apply('helper');
+      },
+    },
+  });
   const quality = parameters.adaptive ? new Quality(renderer, scene) : null;
   const panel = parameters.ui ? createPanel(settings, rendering, apply) : null;
   const hint = element('hint');
@@ -163,7 +182,7 @@ function start(screen: StartScreen, rendering: Rendering) {
       canvas.focus({ preventScroll: true });
       void controls.lock();
     }
-    hint.hidden = readout === null;
+    hint.hidden = !parameters.ui;
   }
 
   window.addEventListener('keydown', (event) => {
@@ -173,15 +192,12 @@ function start(screen: StartScreen, rendering: Rendering) {
     if (code === 'KeyV') {
       settings.view = settings.view === 'first' ? 'third' : 'first';
       apply('view');
-    } else if (code === 'KeyH') {
-      settings.helper = !settings.helper;
-      apply('helper');
     }
   });
   for (const type of ['lock', 'unlock'] as const) {
     controls.addEventListener(type, () => {
       document.body.classList.toggle('captured', controls.isLocked);
-      hint.hidden = readout === null || controls.isLocked;
+      hint.hidden = !parameters.ui || controls.isLocked;
     });
   }
   canvas.addEventListener('pointermove', ({ buttons }) => {
@@ -212,6 +228,7 @@ function start(screen: StartScreen, rendering: Rendering) {
     avatar,
     controls,
     helper,
+    overlays,
     settings,
     spawn,
     /** Resolved once one can walk, or the page has said why not. */

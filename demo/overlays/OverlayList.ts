@@ -1,0 +1,77 @@
+import { element } from '../page.js';
+import { OVERLAYS, type OverlayKind, type OverlayName } from './kinds.js';
+
+/** Below this width the list is folded at first, CSS pixels. */
+const NARROW = 720;
+
+/** The list of what can be shown: a button each, which says so once it is on. */
+export class OverlayList {
+  readonly element = document.createElement('section');
+  readonly #buttons = new Map<OverlayName, HTMLButtonElement>();
+  readonly #notes = new Map<OverlayName, HTMLElement>();
+
+  /** @param toggle called with what was pressed */
+  constructor(toggle: (name: OverlayName) => void) {
+    this.element.className = 'overlay-list';
+    this.element.setAttribute('aria-label', 'What the collider sees');
+    const list = document.createElement('ul');
+    list.id = 'overlay-list';
+    list.hidden = window.innerWidth <= NARROW;
+    this.element.append(opener(list), list);
+    for (const kind of OVERLAYS) {
+      const note = explanation(kind);
+      const button = document.createElement('button');
+      button.type = 'button';
+      button.title = kind.more;
+      button.setAttribute('aria-keyshortcuts', kind.key);
+      const key = document.createElement('kbd');
+      key.textContent = kind.key;
+      key.setAttribute('aria-hidden', 'true');
+      button.append(key, kind.label);
+      button.addEventListener('click', ({ detail }) => {
+        toggle(kind.name);
+        // Clicked, not pressed by a key: the keys are for walking again.
+        if (detail > 0) element('picture').focus({ preventScroll: true });
+      });
+      const item = document.createElement('li');
+      item.append(button, note);
+      list.append(item);
+      this.#buttons.set(kind.name, button);
+      this.#notes.set(kind.name, note);
+    }
+  }
+
+  show(name: OverlayName, on: boolean): void {
+    this.#buttons.get(name)!.setAttribute('aria-pressed', String(on));
+    this.#notes.get(name)!.hidden = !on;
+  }
+}
+
+/** Folds the list away, and out again. */
+function opener(list: HTMLElement): HTMLButtonElement {
+  const button = document.createElement('button');
+  button.type = 'button';
+  button.className = 'opener';
+  button.textContent = 'What the collider sees';
+  button.setAttribute('aria-controls', list.id);
+  button.setAttribute('aria-expanded', String(!list.hidden));
+  button.addEventListener('click', () => {
+    list.hidden = !list.hidden;
+    button.setAttribute('aria-expanded', String(!list.hidden));
+  });
+  return button;
+}
+
+function explanation({ line, legend = [] }: OverlayKind): HTMLElement {
+  const note = document.createElement('p');
+  note.textContent = line;
+  if (legend.length > 0) note.append(document.createElement('br'));
+  for (const [color, meaning] of legend) {
+    const swatch = document.createElement('span');
+    swatch.className = 'swatch';
+    swatch.style.setProperty('--swatch', `#${color.toString(16).padStart(6, '0')}`);
+    swatch.textContent = meaning;
+    note.append(swatch);
+  }
+  return note;
+}

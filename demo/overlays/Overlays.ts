@@ -1,0 +1,167 @@
+import type { Object3D, Scene, WebGLRenderer } from 'three';
+import type { CharacterController, CubeCollider } from 'three-cube-collider';
+import {
+  CharacterHelper,
+  ContactsHelper,
+  FreeSpaceHelper,
+  ReadbackTimeline,
+  SurfelsHelper,
+} from 'three-cube-collider/helpers';
+import { OVERLAYS, type OverlayName } from './kinds.js';
+import { Numbers } from './Numbers.js';
+import { OverlayList } from './OverlayList.js';
+
+/** What is shown on a wide page at first. */
+const FIRST: OverlayName[] = ['numbers'];
+const WIDE = 720;
+
+export interface OverlaysOptions {
+  renderer: WebGLRenderer;
+  scene: Scene;
+  character: CharacterController<never, never> | CharacterController;
+  collider: CubeCollider;
+  /** Whether there is a list of them on the page. */
+  ui: boolean;
+  /** Whether keys count now. */
+  listening: () => boolean;
+  /** The unfolded cubemap, which the settings know too. */
+  cubemap: { get: () => boolean; set: (on: boolean) => void };
+}
+
+/** A helper that stands in the scene. */
+type Helper = Object3D & { update(): void };
+
+/** All that shows what the collider sees: made once it is asked for, and asleep when it is not. */
+export class Overlays {
+  readonly #options: OverlaysOptions;
+  readonly #on = new Set<OverlayName>();
+  readonly #numbers = new Numbers();
+  readonly #list: OverlayList | null;
+  readonly #canvas = document.createElement('canvas');
+  #character: CharacterController;
+  #collider: CubeCollider;
+  #contacts: ContactsHelper | null = null;
+  #body: CharacterHelper | null = null;
+  #surfels: SurfelsHelper | null = null;
+  #free: FreeSpaceHelper | null = null;
+  #timeline: ReadbackTimeline | null = null;
+
+  constructor(options: OverlaysOptions) {
+    this.#options = options;
+    this.#character = options.character as CharacterController;
+    this.#collider = options.collider;
+    this.#canvas.className = 'timeline';
+    this.#canvas.setAttribute('role', 'img');
+    this.#canvas.setAttribute('aria-label', 'Read-backs of the last seconds');
+    this.#list = options.ui ? new OverlayList((name) => this.set(name, !this.has(name))) : null;
+    const column = document.createElement('div');
+    column.className = 'overlays';
+    if (this.#list !== null) column.append(this.#list.element);
+    column.append(this.#numbers.element);
+    document.body.append(column, this.#canvas);
+    const asked = new URLSearchParams(location.search).get('show')?.split(',');
+    const first = asked ?? (options.ui && window.innerWidth > WIDE ? FIRST : []);
+    for (const { name } of OVERLAYS) if (name !== 'cubemap') this.set(name, first.includes(name));
+    window.addEventListener('keydown', (event) => this.#press(event));
+    this.refresh();
+  }
+
+  has(name: OverlayName): boolean {
+    return name === 'cubemap' ? this.#options.cubemap.get() : this.#on.has(name);
+  }
+
+  /** Shows or hides one. */
+  set(name: OverlayName, on: boolean): void {
+    if (name === 'cubemap') {
+      this.#options.cubemap.set(on);
+      return;
+    }
+    if (on) this.#on.add(name);
+    else this.#on.delete(name);
+    this.#make(name);
+    this.refresh();
+  }
+
+  /** Others, from now on. */
+  show(
+    character: CharacterController<never, never> | CharacterController,
+    collider: CubeCollider,
+  ): void {
+    this.#character = character as CharacterController;
+    this.#collider = collider;
+    for (const helper of [this.#contacts, this.#body]) {
+      if (helper !== null) helper.character = this.#character;
+    }
+    for (const helper of [this.#surfels, this.#free, this.#timeline]) {
+      if (helper !== null) helper.collider = collider;
+    }
+    if (this.#timeline !== null) this.#timeline.character = this.#character;
+  }
+
+  /** Right before `character.update`. */
+  before(): void {
+    this.#numbers.before(this.#collider);
+  }
+
+  /** Right after it. */
+  after(): void {
+    this.#numbers.after(this.#collider);
+  }
+
+  /** Once a frame, before the picture is drawn. */
+  update(): void {
+    this.#contacts?.update();
+    this.#body?.update();
+    this.#surfels?.update();
+    this.#free?.update();
+    this.#timeline?.update();
+  }
+
+  /** Once a frame, after the picture was drawn. */
+  tell(delta: number): void {
+    if (!this.#on.has('numbers')) return;
+    this.#numbers.update(delta, this.#character, this.#collider, this.#options.renderer);
+  }
+
+  /** Tells the page what is shown. */
+  refresh(): void {
+    for (const { name } of OVERLAYS) this.#list?.show(name, this.has(name));
+    for (const [helper, name] of [
+      [this.#contacts, 'contacts'],
+      [this.#body, 'body'],
+      [this.#surfels, 'surfels'],
+      [this.#free, 'free'],
+      [this.#timeline, 'timeline'],
+    ] as const) {
+      if (helper !== null) helper.visible = this.#on.has(name);
+    }
+    this.#numbers.element.hidden = !this.#on.has('numbers');
+    this.#canvas.hidden = !this.#on.has('timeline');
+  }
+
+  #press({ code, repeat, ctrlKey, altKey, metaKey, target }: KeyboardEvent): void {
+    if (!this.#options.listening() || repeat || ctrlKey || altKey || metaKey) return;
+    if (target instanceof HTMLInputElement || target instanceof HTMLSelectElement) return;
+    const kind = OVERLAYS.find((each) => each.code === code);
+    if (kind !== undefined) this.set(kind.name, !this.has(kind.name));
+  }
+
+  /** Makes what is on and was not there yet. */
+  #make(name: OverlayName): void {
+    if (!this.#on.has(name)) return;
+    const character = this.#character;
+    const collider = this.#collider;
+    if (name === 'contacts') this.#contacts ??= this.#add(new ContactsHelper(character));
+    if (name === 'body') this.#body ??= this.#add(new CharacterHelper(character));
+    if (name === 'surfels') this.#surfels ??= this.#add(new SurfelsHelper(collider));
+    if (name === 'free') this.#free ??= this.#add(new FreeSpaceHelper(collider));
+    if (name === 'timeline') {
+      this.#timeline ??= new ReadbackTimeline(collider, this.#canvas, { character });
+    }
+  }
+
+  #add<T extends Helper>(helper: T): T {
+    this.#options.scene.add(helper);
+    return helper;
+  }
+}

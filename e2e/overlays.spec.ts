@@ -1,0 +1,89 @@
+import type overlays from './harness/overlays.js';
+import { expect, runInPage, test, testOnOnePage } from './support/test.js';
+
+for (const backend of ['WebGL2', 'WebGPU'] as const) {
+  testOnOnePage(
+    `should draw what the collider sees, and be no obstacle itself: ${backend}`,
+    async ({ page }) => {
+      const report = await runInPage<Awaited<ReturnType<typeof overlays>>>(
+        page,
+        '/e2e/harness/overlays.ts',
+        { backend },
+      );
+      const best = (name: string) => Math.max(...Object.values(report.shown[name]!.toward));
+      // Through how much of a disc, an arrow, the film or a line one sees.
+      for (const [name, least] of [
+        ['floor', 0.6],
+        ['wall', 0.6],
+        ['touch', 0.9],
+        ['push', 0.9],
+        ['net', 0.12],
+        ['capsule', 0.25],
+      ] as const) {
+        expect(best(name), name).toBeGreaterThan(least);
+        expect(report.shown[name]!.changed, name).toBeGreaterThan(50);
+      }
+      expect(report.contacts).toBeGreaterThan(1);
+      expect(report.survey).toEqual({ changed: false, moved: false });
+      expect([report.solid, report.others, report.drawCalls]).toEqual([0, 0, 0]);
+      expect(report.trianglesMore).toBeGreaterThan(1000);
+      expect([report.asleep, report.trianglesAsleep]).toEqual([0, 0]);
+      expect(report.memory).toEqual([0, 0, 0, 0]);
+      expect(report.ticks).toBeGreaterThan(10);
+      expect(report.bars).toBeGreaterThan(10);
+      expect(report.near).toBeGreaterThan(100);
+    },
+  );
+}
+
+test.describe('in the demo', () => {
+  test.use({ viewport: { width: 390, height: 480 }, hasTouch: true, isMobile: true });
+
+  test('should switch each by its key and by its button, which a finger hits', async ({ page }) => {
+    await page.goto('/demo/index.html?dpr=1');
+    await page.evaluate(() => window.demo.ready);
+    await page.getByRole('button', { name: 'Look around' }).tap();
+    await page.evaluate(() => window.demo.step(2));
+    await page.getByRole('button', { name: 'What the collider sees' }).tap();
+    const list = page.getByRole('region', { name: 'What the collider sees' });
+    const names = [
+      'Cubemap',
+      'Surfaces',
+      'Contacts',
+      'Free space',
+      'Body',
+      'Read-backs',
+      'Numbers',
+    ];
+    for (const [i, name] of names.entries()) {
+      const button = list.getByRole('button', { name });
+      await expect(button).toHaveAttribute('aria-pressed', 'false');
+      expect((await button.boundingBox())!.height).toBeGreaterThanOrEqual(44);
+      await page.keyboard.press(i === 0 ? 'KeyH' : `Digit${i}`);
+      await expect(button).toHaveAttribute('aria-pressed', 'true');
+    }
+    await page.evaluate(() => window.demo.step(2));
+    const shown = await page.evaluate(() =>
+      window.demo.scene.children
+        .filter(({ type, visible }) => /Helper$/.test(type) && visible)
+        .map(({ type }) => type),
+    );
+    expect(shown.sort()).toEqual([
+      'CharacterHelper',
+      'ContactsHelper',
+      'FreeSpaceHelper',
+      'SurfelsHelper',
+    ]);
+    await expect(page.getByText('of it ours')).toBeVisible();
+    await list.getByRole('button', { name: 'Surfaces' }).tap();
+    await expect(list.getByRole('button', { name: 'Surfaces' })).toHaveAttribute(
+      'aria-pressed',
+      'false',
+    );
+    expect(
+      await page.evaluate(
+        () => window.demo.scene.children.find(({ type }) => type === 'SurfelsHelper')!.visible,
+      ),
+    ).toBe(false);
+  });
+});
