@@ -3,25 +3,12 @@ import { describe, expect, it } from 'vitest';
 import { AxisMaxima, AxisResponse, CharacterController, SurfaceField } from 'three-cube-collider';
 import type { CharacterCollider } from 'three-cube-collider';
 import { decodeSurface } from '../../src/cube/encoding.js';
+import { bytesEach } from '../support/bytesEach.js';
 
 /** What V8 wraps a double in that is handed from function to function; a Vector3 is six of these. */
 const NUMBER = 16;
 
 const SURVEY = { moved: false, changed: false, deforms: false, sensors: [] };
-
-/** Bytes of heap that each call leaves behind, once the compiler has settled. */
-function bytesEach(calls: number, run: () => void): number {
-  for (let i = 0; i < calls; i++) run();
-  let least = Infinity;
-  // The least of several: other work of the process only adds. A collection in between would show as less than nothing.
-  for (let trial = 0; trial < 5; trial++) {
-    const before = process.memoryUsage().heapUsed;
-    for (let i = 0; i < calls; i++) run();
-    const grown = process.memoryUsage().heapUsed - before;
-    if (grown >= 0) least = Math.min(least, grown / calls);
-  }
-  return least;
-}
 
 function standing(found: Partial<CharacterCollider>): CharacterController {
   const collider: CharacterCollider = {
