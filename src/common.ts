@@ -12,13 +12,16 @@ export type { CharacterEventMap } from './character/characterEvents.js';
 export type { CharacterOptions } from './character/characterOptions.js';
 export type { CharacterStats } from './character/SlideMotion.js';
 export type { Contact } from './character/Contact.js';
-export {
-  CharacterControls,
-  type CharacterControlsEventMap,
-  type CharacterControlsOptions,
-} from './controls/CharacterControls.js';
+export { CameraBoom, type BoomCollider } from './controls/CameraBoom.js';
+export { CharacterControls } from './controls/CharacterControls.js';
+export type {
+  CharacterControlsEventMap,
+  CharacterControlsOptions,
+} from './controls/controlsOptions.js';
+export type { Boom } from './controls/Boom.js';
 export type { ControlledCharacter, View } from './controls/ControlledCharacter.js';
-export type { KeyMap } from './controls/Keyboard.js';
+export type { Action, ButtonAction, ButtonMap, KeyMap } from './controls/actions.js';
+export type { TouchStick } from './controls/TouchStick.js';
 export { AxisMaxima } from './cube/AxisMaxima.js';
 export { FACE_NAMES, type FaceName } from './cube/faces.js';
 export type { TexelFormat } from './cube/encoding.js';

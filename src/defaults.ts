@@ -75,6 +75,22 @@ export const DEFAULTS = {
     eyeHeight: 1.6,
     /** Radians a pixel of mouse travel. */
     sensitivity: 0.002,
+    /** Radians a pixel of a finger's travel. */
+    touchSensitivity: 0.006,
+    /** Radians a second, of a gamepad's stick all the way out. */
+    stickSensitivity: 3,
+    /** Radians a second, of keys that turn. */
+    turnSpeed: 2,
+    /** Whether looking up and down is the other way round. */
+    invertY: false,
+    /** Part of a gamepad's stick's way that counts as none. */
+    deadZone: 0.15,
+    /** Whether the left half of a touch screen walks. */
+    touchStick: true,
+    /** Whether the keys of `turnLeft` and `turnRight` turn rather than walk. */
+    turnKeys: false,
+    /** Whether run is switched on and off by a press. */
+    toggleRun: false,
     /** Captures the pointer on a click; where it may not, dragging looks around. */
     pointerLock: true,
     /** Asks for the mouse's own travel, without the system's acceleration. */

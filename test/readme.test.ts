@@ -10,7 +10,7 @@ it('the defaults in README should be the package’s', () => {
     [...readme.matchAll(/^\| `(\w+)`\s*\| (.+?)\s*\|/gm)].map(([, name, value]) => [name!, value!]),
   );
   const { collider, character, axis } = DEFAULTS;
-  const quoted = (value: string | number) =>
+  const quoted = (value: string | number | boolean) =>
     `\`${typeof value === 'string' ? `'${value}'` : value}\``;
   for (const key of [
     'output',
@@ -29,9 +29,22 @@ it('the defaults in README should be the package’s', () => {
   expect(shown.get('slack')).toBe(`${collider.slackRatio} \`far\``);
   expect(shown.get('rMin')).toBe(`${collider.rMinRatio} \`rMax\``);
   const { controls } = DEFAULTS;
-  for (const key of ['view', 'eyeHeight', 'sensitivity', 'distance'] as const) {
+  for (const key of [
+    'view',
+    'eyeHeight',
+    'distance',
+    'sensitivity',
+    'touchSensitivity',
+    'stickSensitivity',
+    'deadZone',
+    'invertY',
+    'toggleRun',
+    'touchStick',
+  ] as const) {
     expect(shown.get(key), key).toBe(quoted(controls[key]));
   }
+  expect(readme).toContain(`\`${controls.turnKeys}\`, \`${controls.turnSpeed}\``);
+  expect(readme).toContain(`\`${controls.agility}\`, \`${controls.smoothing}\``);
   expect(readme).toContain(`\`${controls.walkSpeed}\`, \`${controls.runSpeed}\``);
   expect(readme).toContain(`from ${controls.minDistance} to ${controls.maxDistance}`);
   for (const key of ['radius', 'height', 'gravity', 'jumpHeight', 'terminalSpeed'] as const) {

@@ -1,23 +1,10 @@
-/** What a key can ask for. */
-export type Action = 'forward' | 'back' | 'left' | 'right' | 'run' | 'jump' | 'crouch';
+import type { Action, KeyMap } from './actions.js';
 
-/** Per action the keys that ask for it, as `KeyboardEvent.code` names them: by place, whatever the layout. */
-export type KeyMap = Record<Action, string[]>;
-
-/**
- * WASD and the arrows, Shift, Space, C (not Ctrl, which closes the page together with W). A new map each time, so that
- * one may be changed.
- */
-export function defaultKeys(): KeyMap {
-  return {
-    forward: ['KeyW', 'ArrowUp'],
-    back: ['KeyS', 'ArrowDown'],
-    left: ['KeyA', 'ArrowLeft'],
-    right: ['KeyD', 'ArrowRight'],
-    run: ['ShiftLeft', 'ShiftRight'],
-    jump: ['Space'],
-    crouch: ['KeyC'],
-  };
+/** What `Keyboard` is told; `CharacterControls` has these fields. Read at each question, so they may be changed. */
+export interface KeyboardSettings {
+  keys: KeyMap;
+  /** Whether the keys of `turnLeft` and `turnRight` turn, and do nothing else. */
+  turnKeys: boolean;
 }
 
 /** Inputs that take no text: they own only the keys that press them. */
@@ -43,10 +30,9 @@ export class Keyboard {
   readonly #down = new Set<string>();
   readonly #pressed = new Set<string>();
 
-  readonly #settings: { keys: KeyMap };
+  readonly #settings: KeyboardSettings;
 
-  /** @param settings whose `keys` is read at each event, so that it may be changed or replaced */
-  constructor(settings: { keys: KeyMap }) {
+  constructor(settings: KeyboardSettings) {
     this.#settings = settings;
   }
 
@@ -69,14 +55,17 @@ export class Keyboard {
   /** Whether a key of `action` is down. */
   held(action: Action): boolean {
     const codes = this.#settings.keys[action];
-    for (let i = 0; i < codes.length; i++) if (this.#down.has(codes[i]!)) return true;
+    for (let i = 0; i < codes.length; i++) {
+      if (this.#down.has(codes[i]!) && this.#means(codes[i]!, action)) return true;
+    }
     return false;
   }
 
   /** Whether a key of `action` went down since this was last asked, however short it was held. */
   taken(action: Action): boolean {
+    const codes = this.#settings.keys[action];
     let any = false;
-    for (const code of this.#settings.keys[action]) any = this.#pressed.delete(code) || any;
+    for (let i = 0; i < codes.length; i++) any = this.#pressed.delete(codes[i]!) || any;
     return any;
   }
 
@@ -84,6 +73,13 @@ export class Keyboard {
   clear(): void {
     this.#down.clear();
     this.#pressed.clear();
+  }
+
+  /** A key that turns does not walk as well. */
+  #means(code: string, action: Action): boolean {
+    const { keys, turnKeys } = this.#settings;
+    if (action === 'turnLeft' || action === 'turnRight') return turnKeys;
+    return !turnKeys || !(keys.turnLeft.includes(code) || keys.turnRight.includes(code));
   }
 
   #bound(code: string): boolean {

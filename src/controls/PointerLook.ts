@@ -1,3 +1,5 @@
+import type { Fingers } from './Fingers.js';
+
 /** Pointer travel that still counts as a click, pixels. */
 const CLICK_TRAVEL = 4;
 /** Pixels of a wheel's line and page, as browsers scroll them. */
@@ -25,7 +27,7 @@ export interface PointerLookListener {
 
 /**
  * Mouse look on one element: captured by a click, and by dragging wherever the browser refuses the capture (an iframe
- * without permission, a phone, a second within Escape).
+ * without permission, a second within Escape). Fingers are handed on.
  */
 export class PointerLook {
   /** Whether the pointer is captured. */
@@ -37,17 +39,23 @@ export class PointerLook {
   #lastY = 0;
   #dragging = -1;
   #touched = false;
+  #touchAction = '';
 
   readonly #settings: PointerLookSettings;
   readonly #listener: PointerLookListener;
+  readonly #fingers: Fingers;
 
-  constructor(settings: PointerLookSettings, listener: PointerLookListener) {
+  constructor(settings: PointerLookSettings, listener: PointerLookListener, fingers: Fingers) {
     this.#settings = settings;
     this.#listener = listener;
+    this.#fingers = fingers;
   }
 
   connect(element: HTMLElement): void {
     this.#element = element;
+    // Or the browser takes a finger's drag for a scroll.
+    this.#touchAction = element.style.touchAction;
+    element.style.touchAction = 'none';
     const document = element.ownerDocument;
     element.addEventListener('pointerdown', this.#onPointerDown);
     element.addEventListener('pointermove', this.#onPointerMove);
@@ -73,6 +81,7 @@ export class PointerLook {
       this.isLocked = false;
       this.#listener.locked(false);
     }
+    element.style.touchAction = this.#touchAction;
     this.#element = null;
     this.#dragging = -1;
   }
@@ -101,10 +110,16 @@ export class PointerLook {
   readonly #onPointerDown = (event: PointerEvent): void => {
     this.#touched = event.pointerType === 'touch';
     this.#travel = 0;
-    if (!this.#settings.enabled || this.isLocked || this.#dragging !== -1) return;
-    this.#dragging = event.pointerId;
-    this.#lastX = event.clientX;
-    this.#lastY = event.clientY;
+    if (!this.#settings.enabled) return;
+    if (this.#touched) {
+      const { left, width } = this.#element!.getBoundingClientRect();
+      this.#fingers.down(event, event.clientX < left + width / 2);
+    } else {
+      if (this.isLocked || this.#dragging !== -1) return;
+      this.#dragging = event.pointerId;
+      this.#lastX = event.clientX;
+      this.#lastY = event.clientY;
+    }
     try {
       // So that a drag that ends outside the window ends.
       this.#element?.setPointerCapture?.(event.pointerId);
@@ -115,10 +130,11 @@ export class PointerLook {
 
   readonly #onPointerMove = (event: PointerEvent): void => {
     if (!this.#settings.enabled) return;
-    if (this.isLocked) {
+    if (event.pointerType === 'touch') {
+      this.#fingers.move(event);
+    } else if (this.isLocked) {
       this.#listener.look(event.movementX, event.movementY);
     } else if (this.#dragging === event.pointerId) {
-      // Not `movementX`: not every browser counts it for a finger.
       const dx = event.clientX - this.#lastX;
       const dy = event.clientY - this.#lastY;
       this.#lastX = event.clientX;
@@ -129,7 +145,8 @@ export class PointerLook {
   };
 
   readonly #onPointerUp = (event: PointerEvent): void => {
-    if (this.#dragging === event.pointerId) this.#dragging = -1;
+    if (event.pointerType === 'touch') this.#fingers.up(event);
+    else if (this.#dragging === event.pointerId) this.#dragging = -1;
   };
 
   readonly #onClick = (): void => {

@@ -1,9 +1,7 @@
 import { Object3D, PerspectiveCamera, Vector3 } from 'three';
 import { vi } from 'vitest';
-import {
-  CharacterControls,
-  type CharacterControlsOptions,
-} from '../../src/controls/CharacterControls.js';
+import { CharacterControls } from '../../src/controls/CharacterControls.js';
+import type { CharacterControlsOptions } from '../../src/controls/controlsOptions.js';
 
 /** An event target that knows the listeners it has. */
 class Heard extends EventTarget {
@@ -22,7 +20,9 @@ class Heard extends EventTarget {
 
 /** A document, its window and a canvas, as far as controls look at them. */
 function makePage() {
-  const defaultView = new Heard();
+  const defaultView = Object.assign(new Heard(), {
+    navigator: { pads: [] as unknown[], getGamepads: () => defaultView.navigator.pads },
+  });
   const document = Object.assign(new Heard(), {
     defaultView,
     pointerLockElement: null as unknown,
@@ -33,6 +33,9 @@ function makePage() {
   });
   const element = Object.assign(new Heard(), {
     ownerDocument: document,
+    style: { touchAction: '' },
+    /** 400 pixels wide: a finger walks up to x = 200. */
+    getBoundingClientRect: () => ({ left: 0, top: 0, width: 400, height: 300 }),
     /** Raw mouse travel is not to be had. */
     noRaw: false,
     /** No capture is to be had at all. */
@@ -64,6 +67,8 @@ export function controlledPage(
     walked: new Vector3(),
     walk: vi.fn((velocity: Vector3) => void character.walked.copy(velocity)),
     jump: vi.fn(),
+    crouched: false,
+    crouch: (on: boolean) => void (character.crouched = on),
   };
   const controls = new CharacterControls(
     character,
