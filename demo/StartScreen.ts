@@ -36,7 +36,7 @@ export class StartScreen {
     this.#walk.hidden = false;
     const fine = window.matchMedia('(pointer: fine)').matches;
     this.#status.textContent = fine ? 'Ready. The mouse looks around.' : 'Ready.';
-    if (!fine) this.#walk.textContent = 'Look around';
+    if (!fine) this.#walk.textContent = 'Walk';
     this.#screen.dataset.state = 'ready';
     // Enter starts; but a focus already somewhere is not taken away.
     if (document.activeElement === document.body) this.#walk.focus({ preventScroll: true });

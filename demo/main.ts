@@ -1,6 +1,7 @@
 import { MathUtils, PerspectiveCamera, Scene, Timer, Vector3, type WebGLRenderer } from 'three';
 import {
   AxisResponse,
+  CameraBoom,
   CharacterController,
   CharacterControls,
   type CubeCollider,
@@ -8,6 +9,7 @@ import {
   SlideResponse,
 } from 'three-cube-collider';
 import { createAvatar } from './avatar/createAvatar.js';
+import { fade } from './boom/fade.js';
 import { createHall, type Hall } from './hall/createHall.js';
 import { addLighting, type Lighting } from './lighting.js';
 import { GroundSpeed } from './GroundSpeed.js';
@@ -20,6 +22,7 @@ import { Overlays } from './overlays/Overlays.js';
 import { Quality } from './Quality.js';
 import { createWebGLRendering, type Rendering } from './rendering.js';
 import { StartScreen } from './StartScreen.js';
+import { createThumbs } from './touch/createThumbs.js';
 
 /** Below this the character has fallen into the pit, metres. */
 const ABYSS = -8;
@@ -47,7 +50,10 @@ function start(screen: StartScreen, rendering: Rendering) {
   };
   let collider = createCollider(settings, rendering);
   let character = createCharacter();
-  const controls = new CharacterControls(character, camera, canvas, { view: settings.view });
+  const boomCollider = rendering.createCollider({ resolution: 16 });
+  const boom = new CameraBoom<WebGLRenderer, Scene>(boomCollider);
+  const controls = new CharacterControls(character, camera, canvas, { view: settings.view, boom });
+  const thumbs = parameters.ui ? createThumbs(controls) : null;
   const helper = rendering.createView(collider);
   helper.visible = settings.helper;
   const timer = new Timer();
@@ -78,6 +84,9 @@ function start(screen: StartScreen, rendering: Rendering) {
     character.update(renderer, scene, delta);
     overlays.after();
     controls.follow(delta);
+    boom.update(renderer, scene, delta);
+    fade(avatar.object, controls.avatarOpacity);
+    thumbs?.update();
 
     lighting?.update(character.position);
     avatar.animate(
@@ -203,6 +212,11 @@ function start(screen: StartScreen, rendering: Rendering) {
   canvas.addEventListener('pointermove', ({ buttons }) => {
     if (buttons !== 0) hint.hidden = true;
   });
+  // By a gamepad; the panel and the key go the other way round.
+  controls.addEventListener('change', ({ view }) => {
+    settings.view = view;
+    panel?.refresh();
+  });
   onReducedMotion((reduced) => (controls.smoothing = reduced ? Infinity : 1));
   const resize = () => {
     renderer.setSize(window.innerWidth, window.innerHeight, false);
@@ -227,6 +241,7 @@ function start(screen: StartScreen, rendering: Rendering) {
     camera,
     avatar,
     controls,
+    boom,
     helper,
     overlays,
     settings,
@@ -253,6 +268,7 @@ function start(screen: StartScreen, rendering: Rendering) {
       for (let i = 0; i < frames; i++) {
         frame(delta);
         if (collider.readback === 'async') await collider.updateAsync(renderer, scene);
+        if (controls.view === 'third') await boomCollider.updateAsync(renderer, scene);
       }
     },
     run,
