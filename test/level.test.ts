@@ -7,17 +7,26 @@ import { NodeIO } from '@gltf-transform/core';
 import { describe, expect, it } from 'vitest';
 
 describe('the level', () => {
-  it('should be what npm run build:level makes, byte for byte', { timeout: 300_000 }, async () => {
-    const folder = await mkdtemp(join(tmpdir(), 'level-'));
-    try {
-      const file = join(folder, 'level.glb');
-      await promisify(execFile)(process.execPath, ['scripts/level/build.mjs', file]);
-      const [made, kept] = await Promise.all([readFile(file), readFile('public/level.glb')]);
-      expect(made.equals(kept)).toBe(true);
-    } finally {
-      await rm(folder, { recursive: true });
-    }
-  });
+  it(
+    'should be, like the examples beside it, what npm run build:level makes, byte for byte',
+    { timeout: 300_000 },
+    async () => {
+      const folder = await mkdtemp(join(tmpdir(), 'level-'));
+      try {
+        const file = join(folder, 'level.glb');
+        await promisify(execFile)(process.execPath, ['scripts/level/build.mjs', file]);
+        const names = ['level', 'examples/maze', 'examples/tower', 'examples/valley'];
+        for (const name of names.map((each) => `${each}.glb`)) {
+          const [made, kept] = await Promise.all(
+            [join(folder, name), join('public', name)].map((path) => readFile(path)),
+          );
+          expect(made!.equals(kept!), name).toBe(true);
+        }
+      } finally {
+        await rm(folder, { recursive: true });
+      }
+    },
+  );
 
   it('should have every feature that a walk needs, by name', async () => {
     const root = (await new NodeIO().read('public/level.glb')).getRoot();

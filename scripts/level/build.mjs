@@ -1,9 +1,10 @@
-// `npm run build:level [-- file.glb]`: writes public/level.glb, the same bytes on every run.
+// `npm run build:level [-- file.glb]`: writes public/level.glb, and the examples beside it, the same bytes on every run.
 
 import { createHash } from 'node:crypto';
 import { mkdir, writeFile } from 'node:fs/promises';
-import { dirname } from 'node:path';
+import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { buildExamples } from './examples/build.mjs';
 import { SPAWN, level } from './layout.mjs';
 import { bakeFloor, bakeVertices, occluders } from './occlusion.mjs';
 import { quarters } from './quarters.mjs';
@@ -27,6 +28,7 @@ const bytes = await writeLevel({
 const file = process.argv[2] ?? fileURLToPath(new URL('../../public/level.glb', import.meta.url));
 await mkdir(dirname(file), { recursive: true });
 await writeFile(file, bytes);
+await buildExamples(join(dirname(file), 'examples'));
 
 const primitives = shapes.flatMap((shape) => [...shape.parts.values()]);
 const triangles = primitives.reduce((sum, { indices }) => sum + indices.length / 3, 0);

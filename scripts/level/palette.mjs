@@ -30,6 +30,13 @@ export const MATERIALS = {
   blue: { texture: 'plaster', color: BLUE, roughness: 0.85 },
   sage: { texture: 'plaster', color: SAGE, roughness: 0.85 },
   rosette: { texture: 'rosette', color: '#ffffff', roughness: 0.9, occlusion: true },
+  // Of the examples, which have no textures.
+  plain: { color: '#ffffff', roughness: 1 },
+  floor: { color: '#d9ccb2', roughness: 0.95 },
+  hedge: { color: '#8fb065', roughness: 1 },
+  'hedge-top': { color: '#aecb7c', roughness: 1 },
+  fir: { color: '#6f9e68', roughness: 1 },
+  trunk: { color: '#94714f', roughness: 1 },
   // The plaza's own floor carries the baked occlusion map on a second set of UVs.
   'floor-paving': { texture: 'paving', color: '#e8d8ba', roughness: 0.9, occlusion: true },
   'floor-grass': { texture: 'grass', color: '#ffffff', roughness: 1, occlusion: true },

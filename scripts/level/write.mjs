@@ -34,8 +34,12 @@ function weld({ positions, normals, uvs, colors, indices }) {
   return joined;
 }
 
-/** `spawn`: the foot of the start, looking toward -Z. Returns the file's bytes. */
-export async function writeLevel({ shapes, textures, occlusion, spawn }) {
+/**
+ * `spawn`: the foot of the start, looking toward -Z; without one whoever loads it finds a start. Materials whose texture is
+ * not among `textures` have their colour alone. `compress(document)` returns who can write what it made of it. Returns
+ * the file's bytes.
+ */
+export async function writeLevel({ shapes, textures, occlusion, spawn, compress }) {
   const document = new Document();
   const root = document.getRoot();
   root.getAsset().generator = 'three-cube-collider scripts/level';
@@ -55,10 +59,10 @@ export async function writeLevel({ shapes, textures, occlusion, spawn }) {
       const { texture, color, roughness, occlusion: baked } = MATERIALS[name];
       const made = document
         .createMaterial(name)
-        .setBaseColorTexture(picture(texture, textures[texture]))
         .setBaseColorFactor([...linear(color), 1])
         .setMetallicFactor(0)
         .setRoughnessFactor(roughness);
+      if (textures[texture]) made.setBaseColorTexture(picture(texture, textures[texture]));
       if (baked) {
         made.setOcclusionTexture(picture('floor-occlusion', occlusion));
         made.getOcclusionTextureInfo().setTexCoord(1);
@@ -82,8 +86,9 @@ export async function writeLevel({ shapes, textures, occlusion, spawn }) {
         .setIndices(accessor('SCALAR', Indices.from(indices)))
         .setAttribute('POSITION', accessor('VEC3', Float32Array.from(positions)))
         .setAttribute('NORMAL', accessor('VEC3', Float32Array.from(normals)))
-        .setAttribute('TEXCOORD_0', accessor('VEC2', Float32Array.from(uvs)))
         .setAttribute('COLOR_0', accessor('VEC4', Uint8Array.from(colors)).setNormalized(true));
+      if (textures[MATERIALS[name].texture])
+        primitive.setAttribute('TEXCOORD_0', accessor('VEC2', Float32Array.from(uvs)));
       if (MATERIALS[name].occlusion) {
         const spread = Array.from(
           { length: count * 2 },
@@ -104,6 +109,7 @@ export async function writeLevel({ shapes, textures, occlusion, spawn }) {
       scene.addChild(parent);
     }
   }
-  scene.addChild(document.createNode('spawn').setTranslation(spawn));
-  return new NodeIO().writeBinary(document);
+  if (spawn) scene.addChild(document.createNode('spawn').setTranslation(spawn));
+  const io = compress ? await compress(document) : new NodeIO();
+  return io.writeBinary(document);
 }
