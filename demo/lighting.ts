@@ -5,6 +5,7 @@ import {
   Fog,
   HemisphereLight,
   Matrix4,
+  type PerspectiveCamera,
   PCFShadowMap,
   Vector3,
   type Scene,
@@ -19,6 +20,12 @@ const ZENITH = new Color('#3f82bd');
 const GROUND_BOUNCE = new Color('#b89f7c');
 const SUN_COLOR = new Color('#ffe6c4');
 
+/** The haze begins here, and the camera sees no farther than that, in a level of the usual size, metres. */
+const CLEAR = 40;
+export const RANGE = 250;
+/** The farthest that the camera ever sees, metres. */
+const FARTHEST = 3000;
+
 /** Half the width of the square around the character that has shadows, metres. */
 const SHADOW_REACH = 32;
 /** Texels of the shadow map along an edge, where the pointer is fine, and on phones. */
@@ -27,6 +34,8 @@ const SHADOW_TEXELS = { fine: 2048, coarse: 1024 };
 export interface Lighting {
   /** Once a frame, before rendering: the shadows follow this point. */
   update(target: Vector3): void;
+  /** Lets the haze, and the camera's range, begin and end as suits a level that is so wide, metres. */
+  fit(camera: PerspectiveCamera, width: number): void;
 }
 
 /** Adds sun, sky, and haze to a scene, and sets the renderer's tone mapping and shadows to suit them. */
@@ -39,7 +48,8 @@ export function addLighting(scene: Scene, renderer: WebGLRenderer): Lighting {
   const sky = createSky({ sun: SUN, horizon: HORIZON, zenith: ZENITH, glow: SUN_COLOR });
   scene.add(sky, new HemisphereLight(ZENITH.clone().lerp(HORIZON, 0.7), GROUND_BOUNCE, 2.3));
   // The haze is the sky's own colour at the horizon, so that far hills melt into it.
-  scene.fog = new Fog(HORIZON, 40, 210);
+  const haze = new Fog(HORIZON, CLEAR, RANGE - 40);
+  scene.fog = haze;
 
   const texels = matchMedia('(pointer: coarse)').matches
     ? SHADOW_TEXELS.coarse
@@ -72,6 +82,12 @@ export function addLighting(scene: Scene, renderer: WebGLRenderer): Lighting {
       snapped.applyMatrix4(toWorld);
       sun.target.position.copy(snapped);
       sun.position.copy(snapped).addScaledVector(SUN, 70);
+    },
+    fit(camera, width) {
+      camera.far = Math.min(FARTHEST, Math.max(RANGE, 1.2 * width));
+      camera.updateProjectionMatrix();
+      haze.near = (CLEAR * camera.far) / RANGE;
+      haze.far = camera.far - 40;
     },
   };
   lighting.update(new Vector3());

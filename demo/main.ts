@@ -13,7 +13,10 @@ import { fade } from './boom/fade.js';
 import { createHall, type Hall } from './hall/createHall.js';
 import { addLighting, type Lighting } from './lighting.js';
 import { GroundSpeed } from './GroundSpeed.js';
-import { loadLevel } from './loadLevel.js';
+import { createLevels } from './level/createLevels.js';
+import { disposeOf } from './level/dispose.js';
+import type { Level } from './level/Level.js';
+import { loadLevel } from './level/loadLevel.js';
 import { createMovers, type Movers } from './movers.js';
 import { element, onReducedMotion } from './page.js';
 import { type Change, createPanel, type Settings } from './panel.js';
@@ -23,9 +26,6 @@ import { Quality } from './Quality.js';
 import { createWebGLRendering, type Rendering } from './rendering.js';
 import { StartScreen } from './StartScreen.js';
 import { createThumbs } from './touch/createThumbs.js';
-
-/** Below this the character has fallen into the pit, metres. */
-const ABYSS = -8;
 
 const parameters = readParameters(location.search);
 
@@ -48,6 +48,7 @@ function start(screen: StartScreen, rendering: Rendering) {
     readback: DEFAULTS.collider.readback,
     helper: parameters.helper,
   };
+  let level: Level | null = null;
   let collider = createCollider(settings, rendering);
   let character = createCharacter();
   const boomCollider = rendering.createCollider({ resolution: 16 });
@@ -67,7 +68,7 @@ function start(screen: StartScreen, rendering: Rendering) {
   function createCharacter(): CharacterController<WebGLRenderer, Scene> {
     const made = new CharacterController<WebGLRenderer, Scene>(collider, {
       avatar: avatar.object,
-      respawnBelow: ABYSS,
+      respawnBelow: level?.abyss ?? null,
       response: createResponse(settings),
     });
     // It went back to its last teleport, which a change of settings makes too: the start is meant.
@@ -77,6 +78,7 @@ function start(screen: StartScreen, rendering: Rendering) {
 
   /** One turn of the loop. */
   function frame(delta: number): void {
+    level?.update(delta);
     movers?.update(delta, character.squeezed);
     hall?.update(delta, character.position);
     controls.update(delta);
@@ -139,26 +141,45 @@ function start(screen: StartScreen, rendering: Rendering) {
   }
 
   async function load(): Promise<void> {
-    const level = await loadLevel(parameters.level, (part) => screen.loading(part));
+    const first = await loadLevel(parameters.level, renderer, (part) => screen.loading(part));
     screen.preparing();
     await avatar.ready;
-    lighting = addLighting(scene, renderer);
-    scene.add(level.root);
-    if (parameters.level === DEFAULT_LEVEL) {
+    await enter(first);
+    screen.ready();
+  }
+
+  /** Puts a level in the place of the last one. */
+  async function enter(next: Level): Promise<void> {
+    renderer.setAnimationLoop(null);
+    level?.dispose();
+    for (const gone of [movers, hall]) if (gone !== null) disposeOf(gone.root);
+    movers = hall = null;
+    level = next;
+    lighting ??= addLighting(scene, renderer);
+    if (level.own) {
       movers = createMovers(level.root);
       hall = createHall(level.root);
       scene.add(movers.root, hall.root);
+      if (parameters.place === 'hall') level.start = { position: hall.entry, yaw: Math.PI };
     }
-    const inHall = hall !== null && parameters.place === 'hall';
     rendering.translate(scene);
-    spawn.copy(inHall ? hall!.entry : level.spawn.position);
-    character.teleport(spawn);
-    controls.yaw = inHall ? Math.PI : level.spawn.yaw;
+    scene.add(level.root);
+    begin();
     await collider.compile(renderer, scene);
     await renderer.compileAsync(scene, camera);
     frame(0);
     run();
-    screen.ready();
+  }
+
+  /** Puts the character at the level's start, wherever and however large the level is. */
+  function begin(): void {
+    if (level === null) return;
+    spawn.copy(level.start.position);
+    lighting?.fit(camera, level.own ? 0 : level.width);
+    character.respawnBelow = level.abyss;
+    character.teleport(spawn);
+    controls.yaw = level.start.yaw;
+    controls.pitch = 0;
   }
 
   // What lies over the picture.
@@ -184,12 +205,12 @@ function start(screen: StartScreen, rendering: Rendering) {
   if (!parameters.ui) screen.hide();
   apply('view');
 
-  function walk(): void {
+  function walk(capture = true): void {
     controls.enabled = true;
     document.body.classList.add('walking');
     if (window.matchMedia('(pointer: fine)').matches) {
       canvas.focus({ preventScroll: true });
-      void controls.lock();
+      if (capture) void controls.lock();
     }
     hint.hidden = !parameters.ui;
   }
@@ -235,9 +256,28 @@ function start(screen: StartScreen, rendering: Rendering) {
     );
   });
 
+  const levels = createLevels({
+    renderer,
+    ready,
+    enter,
+    begin,
+    get level() {
+      return level;
+    },
+    keepStart() {
+      if (level !== null) level.start = { position: character.position.clone(), yaw: controls.yaw };
+      begin();
+    },
+    walk() {
+      screen.hide();
+      walk(false);
+    },
+  });
+
   return {
     renderer,
     scene,
+    levels,
     camera,
     avatar,
     controls,
@@ -255,6 +295,9 @@ function start(screen: StartScreen, rendering: Rendering) {
     },
     get character() {
       return character;
+    },
+    get level() {
+      return level;
     },
     get movers() {
       return movers;
