@@ -16,6 +16,8 @@ export function translate(root: Object3D): void {
   root.traverse((object) => {
     const mesh = object as Mesh;
     if (!mesh.isMesh || Array.isArray(mesh.material)) return;
+    // Translated before: scenery may come in later.
+    if ((mesh.material as { isNodeMaterial?: boolean }).isNodeMaterial === true) return;
     const like = LIKES[mesh.material.name];
     if (like !== undefined) mesh.material = like(mesh.material);
   });
