@@ -1,4 +1,4 @@
-import type { CubeWalkerOptions } from '../bench/walk/walkers/CubeWalker.js';
+import type { CubeWalkerOptions } from '../bench/walk/CubeWalker.js';
 import type { WalkResult, WalkSettings } from '../bench/walk/Walk.js';
 import { expect, runInPage, test } from './support/test.js';
 

@@ -3,10 +3,10 @@ import { describe, expect, it } from 'vitest';
 import { Distribution } from '../bench/walk/Distribution.js';
 import { HeldBackCollider } from '../bench/walk/HeldBackCollider.js';
 import { Inputs } from '../bench/walk/Inputs.js';
-import { Judge } from '../bench/walk/Judge.js';
+import { Judge } from '../bench/rivals/Judge.js';
 import { Places } from '../bench/walk/Places.js';
 import { Walk } from '../bench/walk/Walk.js';
-import type { Walker } from '../bench/walk/walkers/Walker.js';
+import type { Walker } from '../bench/rivals/Walker.js';
 import { AnalyticCollider } from './support/AnalyticCollider.js';
 import { floor } from './support/analytic.js';
 

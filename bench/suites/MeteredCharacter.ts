@@ -1,7 +1,7 @@
 import type { Scene, Vector3, WebGLRenderer } from 'three';
 import { CharacterController, type CubeCollider } from 'three-cube-collider';
 import type { Backend, Rendering } from '../../e2e/support/rendering.js';
-import { SHAPE } from '../walk/shape.js';
+import { SHAPE } from '../rivals/shape.js';
 import { disposeRendering, findTriangles, gpuOf, tryRendering } from './ours.js';
 import { FRAME, later, mean, nextFrame } from './pace.js';
 import { Stopwatch } from './Stopwatch.js';

@@ -1,7 +1,7 @@
 import { Vector3 } from 'three';
 import type { Backend } from '../../e2e/support/rendering.js';
-import { CubeWalker } from '../walk/walkers/CubeWalker.js';
-import type { Walker } from '../walk/walkers/Walker.js';
+import { CubeWalker } from '../walk/CubeWalker.js';
+import type { Walker } from '../rivals/Walker.js';
 import { type FeelCase, feelCases } from './feel/scenes.js';
 import { BACKENDS, disposeRendering, nameOf, tryRendering } from './ours.js';
 import { FRAME, later, rotated } from './pace.js';

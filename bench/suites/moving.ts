@@ -6,7 +6,7 @@ import type { MovingCase, MovingRival } from './moving/MovingCase.js';
 import { morph } from './moving/morph.js';
 import { BACKENDS, nameOf } from './ours.js';
 import { later, mean, nextFrame, rotated } from './pace.js';
-import { rapierMemory } from './rivals.js';
+import { rapierMemory } from '../rivals/rapierMemory.js';
 import { Rows } from './Rows.js';
 import type { SuiteOptions, SuiteRow } from './suite.js';
 

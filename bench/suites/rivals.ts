@@ -1,8 +1,8 @@
 import type { BufferGeometry } from 'three';
-import { MeshBvhWalker } from '../walk/walkers/MeshBvhWalker.js';
-import { OctreeWalker } from '../walk/walkers/OctreeWalker.js';
-import { RapierWalker, ready } from '../walk/walkers/RapierWalker.js';
-import type { Walker } from '../walk/walkers/Walker.js';
+import { MeshBvhWalker } from '../rivals/MeshBvhWalker.js';
+import { OctreeWalker } from '../rivals/OctreeWalker.js';
+import { RapierWalker } from '../rivals/RapierWalker.js';
+import type { Walker } from '../rivals/Walker.js';
 
 export interface Rival {
   name: 'Octree' | 'three-mesh-bvh' | 'Rapier';
@@ -22,31 +22,3 @@ export const RIVALS: readonly Rival[] = [
   },
   { name: 'Rapier', most: Infinity, create: (geometry) => RapierWalker.create(geometry) },
 ];
-
-let memory: Promise<WebAssembly.Memory | null> | null = null;
-
-/** Rapier's WebAssembly, loaded; and its memory, or null where another has loaded it before. */
-export function rapierMemory(): Promise<WebAssembly.Memory | null> {
-  return (memory ??= loadRapier());
-}
-
-async function loadRapier(): Promise<WebAssembly.Memory | null> {
-  const { instantiate } = WebAssembly;
-  let found: WebAssembly.Memory | null = null;
-  const watched = async (...args: Parameters<typeof instantiate>) => {
-    const result = (await instantiate(...args)) as object;
-    const { exports } =
-      'instance' in result
-        ? (result.instance as WebAssembly.Instance)
-        : (result as WebAssembly.Instance);
-    found ??= exports.memory instanceof WebAssembly.Memory ? exports.memory : null;
-    return result;
-  };
-  WebAssembly.instantiate = watched as typeof instantiate;
-  try {
-    await ready();
-  } finally {
-    WebAssembly.instantiate = instantiate;
-  }
-  return found;
-}

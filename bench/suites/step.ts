@@ -1,7 +1,7 @@
 import { Vector3 } from 'three';
 import type { Backend } from '../../e2e/support/rendering.js';
 import { Inputs } from '../walk/Inputs.js';
-import type { Walker } from '../walk/walkers/Walker.js';
+import type { Walker } from '../rivals/Walker.js';
 import { type FrameCost, MeteredCharacter, partsOf } from './MeteredCharacter.js';
 import { BACKENDS, nameOf } from './ours.js';
 import { FRAME, later, mean, nextFrame, quantile, rotated } from './pace.js';

@@ -1,5 +1,5 @@
 import type { Vector3 } from 'three';
-import { SHAPE } from './shape.js';
+import { SHAPE } from '../rivals/shape.js';
 
 /** Ticks a second of the script; a frame of any rate samples it. */
 const CLOCK = 60;

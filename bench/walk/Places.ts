@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 import { mulberry32 } from './Inputs.js';
-import type { Judge } from './Judge.js';
+import type { Judge } from '../rivals/Judge.js';
 
 /** How far from the first, over ground, and how far above it, metres. */
 const RADIUS = 30;

@@ -2,9 +2,9 @@ import { Vector3 } from 'three';
 import { Inputs } from './Inputs.js';
 import type { WalkLevel } from './level.js';
 import type { Places } from './Places.js';
-import { SHAPE } from './shape.js';
+import { SHAPE } from '../rivals/shape.js';
 import { Distribution, type DistributionSummary } from './Distribution.js';
-import type { Walker, WalkerCounts } from './walkers/Walker.js';
+import type { Walker, WalkerCounts } from '../rivals/Walker.js';
 
 /** How far below the lowest point of the level it has fallen out, metres. */
 const LOST = 10;

@@ -1,16 +1,7 @@
-import {
-  Matrix4,
-  Mesh,
-  Scene,
-  Vector3,
-  type BufferGeometry,
-  type InstancedMesh,
-  type Object3D,
-} from 'three';
+import { Scene, Vector3, type BufferGeometry, type Object3D } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { StaticGeometryGenerator } from 'three-mesh-bvh';
-import { isSolid } from '../../src/collider/isSolid.js';
-import { Judge } from './Judge.js';
+import { Judge } from '../rivals/Judge.js';
+import { solidGeometry, solidMeshes } from '../rivals/solidGeometry.js';
 import { Places, standBelow } from './Places.js';
 
 /** A level as the walkers get it. */
@@ -42,10 +33,7 @@ export async function loadWalkLevel(
   const { scene: root } = await new GLTFLoader().loadAsync(url);
   const scene = new Scene().add(root);
   scene.updateMatrixWorld(true);
-  const generator = new StaticGeometryGenerator(solidMeshes(scene));
-  generator.attributes = ['position'];
-  generator.useGroups = false;
-  const geometry = generator.generate();
+  const geometry = solidGeometry(solidMeshes(scene));
   geometry.computeBoundingBox();
   const judge = new Judge(geometry);
   const begin = start ? new Vector3(...start) : startOf(root, judge);
@@ -53,37 +41,12 @@ export async function loadWalkLevel(
   return {
     scene,
     geometry,
-    triangles: (geometry.index ?? geometry.attributes.position!).count / 3,
+    triangles: geometry.index!.count / 3,
     judge,
     start: begin,
     places: (seed) => new Places(judge, begin, max.y + 1, seed),
     lowest: min.y,
   };
-}
-
-/** What the collider takes for solid, by the rules it states; instances one by one. */
-function solidMeshes(object: Object3D, found: Mesh[] = []): Mesh[] {
-  const { visible, userData } = object;
-  if (!visible || userData.collider === false || userData.sensor === true) return found;
-  if (object instanceof Mesh && [object.material].flat().some((each) => isSolid(each))) {
-    if ((object as unknown as InstancedMesh).isInstancedMesh) {
-      found.push(...instancesOf(object as unknown as InstancedMesh));
-    } else {
-      found.push(object);
-    }
-  }
-  for (const child of object.children) solidMeshes(child, found);
-  return found;
-}
-
-function instancesOf(mesh: InstancedMesh): Mesh[] {
-  return Array.from({ length: mesh.count }, (_, i) => {
-    const instance = new Mesh(mesh.geometry, mesh.material);
-    instance.matrixAutoUpdate = instance.matrixWorldAutoUpdate = false;
-    mesh.getMatrixAt(i, instance.matrix);
-    instance.matrixWorld.multiplyMatrices(mesh.matrixWorld, instance.matrix as Matrix4);
-    return instance;
-  });
 }
 
 /** A foot that stands free: at the node `spawn`, or where a spiral around the origin first finds a floor with room. */

@@ -1,10 +1,10 @@
 import { loadWalkLevel, type WalkLevel } from './level.js';
 import { Walk, type WalkResult, type WalkSettings } from './Walk.js';
-import { CubeWalker, type CubeWalkerOptions } from './walkers/CubeWalker.js';
-import { MeshBvhWalker } from './walkers/MeshBvhWalker.js';
-import { OctreeWalker } from './walkers/OctreeWalker.js';
-import { RapierWalker, ready as rapierReady } from './walkers/RapierWalker.js';
-import type { Walker } from './walkers/Walker.js';
+import { CubeWalker, type CubeWalkerOptions } from './CubeWalker.js';
+import { MeshBvhWalker } from '../rivals/MeshBvhWalker.js';
+import { OctreeWalker } from '../rivals/OctreeWalker.js';
+import { RapierWalker, ready as rapierReady } from '../rivals/RapierWalker.js';
+import type { Walker } from '../rivals/Walker.js';
 
 /** Who walks. */
 export type Mover = 'cube' | 'mesh-bvh' | 'octree' | 'rapier';

@@ -1,18 +1,10 @@
-import {
-  type BatchedMesh,
-  BufferAttribute,
-  BufferGeometry,
-  type InstancedMesh,
-  Matrix4,
-  type Mesh,
-  Scene,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
+import { type Mesh, Scene, Vector3, WebGLRenderer } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { CharacterController, CubeCollider } from 'three-cube-collider';
-import { Judge } from '../../bench/walk/Judge.js';
+import { Judge } from '../../bench/rivals/Judge.js';
+import { solidGeometry } from '../../bench/rivals/solidGeometry.js';
 import { createHall } from '../../demo/hall/createHall.js';
+import { drawnVertex } from '../../demo/hall/drawnVertex.js';
 
 const DT = 1 / 60;
 /** Frames between two judgements of what moves. */
@@ -49,24 +41,19 @@ async function makeWorld() {
   /** The place of the creature's skin that it is seen to slip from. */
   let held: { at: number; part: number; place: Vector3; first: Vector3 | null } | null = null;
 
+  const place = drawnVertex(hall);
+  const trianglesOf = (mesh: Mesh) => {
+    mesh.updateWorldMatrix(true, true);
+    return solidGeometry([mesh], place);
+  };
   /** What is drawn of each exhibit at this moment, as exact triangles. */
   const drawn = {
-    grove: () => instancesOf(hall.grove.object),
-    rubble: () => batchOf(hall.rubble.stones),
-    creature: () =>
-      verticesOf(hall.creature.object, (mesh, i, at) => mesh.getVertexPosition(i, at)),
-    morphFloor: () =>
-      verticesOf(hall.morphFloor.object as Mesh, (mesh, i, at) => mesh.getVertexPosition(i, at)),
-    waves: () =>
-      verticesOf(hall.waves.object as Mesh, (mesh, i, at) => {
-        at.fromBufferAttribute(mesh.geometry.attributes.position!, i);
-        return at.setY(hall.waves.height(at.x, at.z, hall.time) - mesh.position.y);
-      }),
-    wall: () =>
-      verticesOf(hall.wall.sheet, (mesh, i, at) => {
-        at.fromBufferAttribute(mesh.geometry.attributes.position!, i);
-        return at.setZ(hall.wall.bulge(at.x, at.y, hall.time));
-      }),
+    grove: () => trianglesOf(hall.grove.object),
+    rubble: () => trianglesOf(hall.rubble.stones),
+    creature: () => trianglesOf(hall.creature.object),
+    morphFloor: () => trianglesOf(hall.morphFloor.object as Mesh),
+    waves: () => trianglesOf(hall.waves.object as Mesh),
+    wall: () => trianglesOf(hall.wall.sheet),
   };
   /** Those that never move are judged by one. */
   const still = new Map<keyof typeof drawn, Judge>();
@@ -178,68 +165,6 @@ const NAMES = {
   waves: 'waves',
   wall: 'bulging wall',
 };
-
-/** A mesh's triangles in world space, each vertex where `place` says, in the mesh's own frame. */
-function verticesOf<M extends Mesh>(
-  mesh: M,
-  place: (mesh: M, vertex: number, target: Vector3) => Vector3,
-): BufferGeometry {
-  mesh.updateWorldMatrix(true, true);
-  const { count } = mesh.geometry.attributes.position!;
-  const positions = new Float32Array(3 * count);
-  const at = new Vector3();
-  for (let i = 0; i < count; i++) {
-    place(mesh, i, at)
-      .applyMatrix4(mesh.matrixWorld)
-      .toArray(positions, 3 * i);
-  }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(positions, 3));
-  return geometry.setIndex(mesh.geometry.index);
-}
-
-function instancesOf(mesh: InstancedMesh): BufferGeometry {
-  const triangles: number[] = [];
-  const matrix = new Matrix4();
-  for (let i = 0; i < mesh.count; i++) {
-    mesh.getMatrixAt(i, matrix);
-    addTriangles(triangles, mesh.geometry, matrix.premultiply(mesh.matrixWorld));
-  }
-  return soup(triangles);
-}
-
-/** three keeps a batch's stones one behind the other, without an index. */
-function batchOf(mesh: BatchedMesh): BufferGeometry {
-  const triangles: number[] = [];
-  const matrix = new Matrix4();
-  for (let i = 0; i < mesh.instanceCount; i++) {
-    const range = mesh.getGeometryRangeAt(mesh.getGeometryIdAt(i))!;
-    mesh.getMatrixAt(i, matrix);
-    matrix.premultiply(mesh.matrixWorld);
-    addTriangles(triangles, mesh.geometry, matrix, range.start, range.count);
-  }
-  return soup(triangles);
-}
-
-function addTriangles(
-  target: number[],
-  { index, attributes }: BufferGeometry,
-  matrix: Matrix4,
-  start = 0,
-  count = index?.count ?? attributes.position!.count,
-): void {
-  for (let i = start; i < start + count; i++) {
-    corner.fromBufferAttribute(attributes.position!, index?.getX(i) ?? i).applyMatrix4(matrix);
-    target.push(corner.x, corner.y, corner.z);
-  }
-}
-
-function soup(triangles: number[]): BufferGeometry {
-  const geometry = new BufferGeometry();
-  return geometry.setAttribute('position', new BufferAttribute(new Float32Array(triangles), 3));
-}
-
-const corner = new Vector3();
 
 declare global {
   interface Window {

@@ -1,6 +1,6 @@
 import { loadWalkLevel } from '../../bench/walk/level.js';
 import { Walk, type WalkResult, type WalkSettings } from '../../bench/walk/Walk.js';
-import { CubeWalker, type CubeWalkerOptions } from '../../bench/walk/walkers/CubeWalker.js';
+import { CubeWalker, type CubeWalkerOptions } from '../../bench/walk/CubeWalker.js';
 
 /** A walk over the demo's level as the comparison walks it, with its judge. */
 export default async function walk(

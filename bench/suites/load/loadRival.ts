@@ -1,8 +1,9 @@
 import { type BufferGeometry, Vector3 } from 'three';
-import type { Walker } from '../../walk/walkers/Walker.js';
+import { rapierMemory } from '../../rivals/rapierMemory.js';
+import type { Walker } from '../../rivals/Walker.js';
 import { heapBytes } from '../heap.js';
 import { FRAME } from '../pace.js';
-import { type Rival, rapierMemory } from '../rivals.js';
+import type { Rival } from '../rivals.js';
 import type { Loaded } from './Loaded.js';
 
 const START = new Vector3(0.571, 1, 0);

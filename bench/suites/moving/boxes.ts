@@ -1,7 +1,7 @@
 import RAPIER from '@dimforge/rapier3d-compat';
 import { Box3, BoxGeometry, Mesh, MeshBasicMaterial, Scene, Vector3 } from 'three';
 import { MeshBVH, ObjectBVH } from 'three-mesh-bvh';
-import { SHAPE } from '../../walk/shape.js';
+import { SHAPE } from '../../rivals/shape.js';
 import { FRAME } from '../pace.js';
 import { floor } from './floor.js';
 import type { MovingCase, MovingRival } from './MovingCase.js';

@@ -13,7 +13,7 @@ import {
   Vector3,
 } from 'three';
 import { SkinnedMeshBVH, StaticGeometryGenerator } from 'three-mesh-bvh';
-import { RapierWalker } from '../../walk/walkers/RapierWalker.js';
+import { RapierWalker } from '../../rivals/RapierWalker.js';
 import { FRAME } from '../pace.js';
 import { floor } from './floor.js';
 import type { MovingCase, MovingRival } from './MovingCase.js';

@@ -2,7 +2,7 @@ import { Box3, Line3, Matrix4, type Object3D, Vector3 } from 'three';
 import { Capsule } from 'three/addons/math/Capsule.js';
 import { Octree } from 'three/addons/math/Octree.js';
 import type { ExtendedTriangle } from 'three-mesh-bvh';
-import { SHAPE } from '../../walk/shape.js';
+import { SHAPE } from '../../rivals/shape.js';
 import type { MovingRival } from './MovingCase.js';
 
 /** A frame's sub-steps, of both examples. */

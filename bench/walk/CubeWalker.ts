@@ -1,9 +1,9 @@
 import type { Scene, Vector3, WebGLRenderer } from 'three';
 import { CharacterController, type CubeCollider } from 'three-cube-collider';
-import { type Backend, createRendering, type Rendering } from '../../../e2e/support/rendering.js';
-import { HeldBackCollider } from '../HeldBackCollider.js';
-import { SHAPE } from '../shape.js';
-import type { Walker, WalkerCounts } from './Walker.js';
+import { type Backend, createRendering, type Rendering } from '../../e2e/support/rendering.js';
+import { HeldBackCollider } from './HeldBackCollider.js';
+import { SHAPE } from '../rivals/shape.js';
+import type { Walker, WalkerCounts } from '../rivals/Walker.js';
 
 export interface CubeWalkerOptions {
   /**

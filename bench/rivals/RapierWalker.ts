@@ -1,6 +1,6 @@
 import RAPIER from '@dimforge/rapier3d-compat';
 import { Vector3, type BufferGeometry } from 'three';
-import { SHAPE } from '../shape.js';
+import { SHAPE } from './shape.js';
 import type { Walker } from './Walker.js';
 
 /** The gap it keeps, metres: the value of Rapier's guide. */

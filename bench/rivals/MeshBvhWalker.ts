@@ -1,7 +1,7 @@
 import { Box3, Line3, Vector3 } from 'three';
 import type { BufferGeometry } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
-import { SHAPE } from '../shape.js';
+import { SHAPE } from './shape.js';
 import type { Walker } from './Walker.js';
 
 const SUB_STEPS = 5;

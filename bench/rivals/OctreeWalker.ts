@@ -1,7 +1,7 @@
 import { Mesh, Vector3, type BufferGeometry } from 'three';
 import { Capsule } from 'three/addons/math/Capsule.js';
 import { Octree } from 'three/addons/math/Octree.js';
-import { SHAPE } from '../shape.js';
+import { SHAPE } from './shape.js';
 import type { Walker } from './Walker.js';
 
 const SUB_STEPS = 5;
