@@ -9,7 +9,10 @@ export class GroundSpeed {
   readonly #now = new Vector3();
 
   /** @returns m/s; in the air and on what is not known the world's */
-  update(character: CharacterController, delta: number): number {
+  update(
+    character: Pick<CharacterController, 'velocity' | 'position' | 'ground'>,
+    delta: number,
+  ): number {
     const { velocity, position } = character;
     const ground = character.ground?.object ?? null;
     const same = ground !== null && ground === this.#ground;

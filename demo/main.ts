@@ -23,6 +23,8 @@ import { type Change, createPanel, type Settings } from './panel.js';
 import { DEFAULT_LEVEL, readParameters } from './parameters.js';
 import { Overlays } from './overlays/Overlays.js';
 import { Quality } from './Quality.js';
+import { Race } from './race/Race.js';
+import { RacePanel } from './race/RacePanel.js';
 import { createWebGLRendering, type Rendering } from './rendering.js';
 import { StartScreen } from './StartScreen.js';
 import { createThumbs } from './touch/createThumbs.js';
@@ -65,6 +67,17 @@ function start(screen: StartScreen, rendering: Rendering) {
   let movers: Movers | null = null;
   let hall: Hall | null = null;
 
+  const race = new Race({
+    ...{ scene, controls, spawn, avatar: avatar.object },
+    get abyss() {
+      return level?.abyss ?? -Infinity;
+    },
+    ours: () => character as CharacterController & { collider: CubeCollider },
+    step: (delta) => character.update(renderer, scene, delta),
+    hall: () => hall,
+    movers: () => movers?.root ?? null,
+  });
+
   function createCharacter(): CharacterController<WebGLRenderer, Scene> {
     const made = new CharacterController<WebGLRenderer, Scene>(collider, {
       avatar: avatar.object,
@@ -80,29 +93,30 @@ function start(screen: StartScreen, rendering: Rendering) {
   function frame(delta: number): void {
     level?.update(delta);
     movers?.update(delta, character.squeezed);
-    hall?.update(delta, character.position);
+    hall?.update(delta, race.character.position);
     controls.update(delta);
     overlays.before();
-    character.update(renderer, scene, delta);
+    race.update(delta);
     overlays.after();
     controls.follow(delta);
     boom.update(renderer, scene, delta);
     fade(avatar.object, controls.avatarOpacity);
     thumbs?.update();
 
-    lighting?.update(character.position);
+    const walker = race.character;
+    lighting?.update(walker.position);
     avatar.animate(
       delta,
-      groundSpeed.update(character, delta),
+      groundSpeed.update(walker, delta),
       // While it waits for surfaces it stands still, whatever is below.
-      character.grounded || !character.ready,
-      character.crouched,
-      character.velocity.y,
+      walker.grounded || !walker.ready,
+      walker.crouched,
+      walker.velocity.y,
     );
 
     overlays.update();
     renderer.render(scene, camera);
-    helper.render(renderer);
+    if (race.current === 'cube') helper.render(renderer);
     overlays.tell(delta);
   }
 
@@ -117,6 +131,7 @@ function start(screen: StartScreen, rendering: Rendering) {
 
   /** A new collider for new settings; the character goes on where it is. */
   function exchangeCollider(): void {
+    void race.choose('cube');
     const old = { collider, character };
     old.character.dispose();
     collider = createCollider(settings, rendering);
@@ -165,7 +180,7 @@ function start(screen: StartScreen, rendering: Rendering) {
     rendering.translate(scene);
     scene.add(level.root);
     begin();
-    await collider.compile(renderer, scene);
+    await race.timed(collider.compile(renderer, scene));
     await renderer.compileAsync(scene, camera);
     frame(0);
     run();
@@ -174,6 +189,7 @@ function start(screen: StartScreen, rendering: Rendering) {
   /** Puts the character at the level's start, wherever and however large the level is. */
   function begin(): void {
     if (level === null) return;
+    race.reset();
     spawn.copy(level.start.position);
     lighting?.fit(camera, level.own ? 0 : level.width);
     character.respawnBelow = level.abyss;
@@ -200,6 +216,7 @@ function start(screen: StartScreen, rendering: Rendering) {
   });
   const quality = parameters.adaptive ? new Quality(renderer, scene) : null;
   const panel = parameters.ui ? createPanel(settings, rendering, apply) : null;
+  if (parameters.ui) new RacePanel(race, controls, canvas);
   const hint = element('hint');
   controls.enabled = !parameters.ui;
   if (!parameters.ui) screen.hide();
@@ -286,6 +303,7 @@ function start(screen: StartScreen, rendering: Rendering) {
     overlays,
     settings,
     spawn,
+    race,
     /** Resolved once one can walk, or the page has said why not. */
     ready,
     walk,

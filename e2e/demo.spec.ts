@@ -97,6 +97,22 @@ test.describe('walking', () => {
     await page.keyboard.up('KeyW');
     const [, , z] = await foot(page);
     expect(z! - start!).toBeGreaterThan(0.4);
+
+    // A rival walks on from there, and ours again.
+    for (const id of ['bvh', 'cube'] as const) {
+      await page.evaluate((id) => window.demo.race.choose(id), id);
+      await page.keyboard.down('KeyW');
+      const way = await page.evaluate(async () => {
+        const { demo } = window;
+        await demo.step(4);
+        const { z } = demo.race.character.position;
+        await demo.step(10);
+        return demo.race.character.position.z - z;
+      });
+      await page.keyboard.up('KeyW');
+      expect(way, id).toBeGreaterThan(0.25);
+    }
+    expect(await page.evaluate(() => window.demo.race.current)).toBe('cube');
   });
 
   test('falls into the pit and comes back at the start', async ({ page }) => {

@@ -81,6 +81,14 @@ export class MeshBvhWalker implements Walker {
     return this.#push.subVectors(axis.start, this.#push);
   }
 
+  /** Of its tree, and of the geometry that the tree sorts and keeps. */
+  get bytes(): number {
+    const { _roots: roots } = this.#bvh as unknown as { _roots: ArrayBuffer[] };
+    const { index, attributes } = this.#bvh.geometry;
+    const kept = index!.array.byteLength + attributes.position!.array.byteLength;
+    return roots.reduce((sum, root) => sum + root.byteLength, kept);
+  }
+
   counts() {
     return {};
   }

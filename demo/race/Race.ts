@@ -1,0 +1,224 @@
+import { type BufferGeometry, type Object3D, type Scene, Vector3 } from 'three';
+import type { CharacterController, CharacterControls } from 'three-cube-collider';
+import type { Hall } from '../hall/createHall.js';
+import { type ContestantId, OURS, ourBytes, type RivalId, RIVALS } from './contestants.js';
+import { FrameTimes } from './FrameTimes.js';
+import { type RaceCharacter, RivalCharacter } from './RivalCharacter.js';
+import type { Scenery } from './Scenery.js';
+
+/** Seconds between two judgements. */
+const INTERVAL = 0.25;
+const STILL = new Vector3();
+
+export const CONTESTANTS = ['cube', 'octree', 'bvh', 'rapier'] as const;
+
+/** What is known of a contestant; NaN until it is. */
+export interface Result {
+  /** Milliseconds that it took to build. */
+  build: number;
+  /** That it keeps. */
+  bytes: number;
+  readonly frames: FrameTimes;
+  /** How deep it was in what is drawn when it was last judged, metres; negative is a gap. */
+  inside: number;
+}
+
+/** The demo, as the race needs it. */
+export interface Track {
+  readonly scene: Scene;
+  readonly controls: CharacterControls;
+  readonly avatar: Object3D;
+  /** Where one goes who falls below `abyss`, metres. */
+  readonly spawn: Vector3;
+  readonly abyss: number;
+  /** Ours; the collider may be exchanged. */
+  ours(): CharacterController & { readonly collider: Parameters<typeof ourBytes>[0] };
+  /** Moves ours on. */
+  step(delta: number): void;
+  hall(): Hall | null;
+  /** What moves as a whole. */
+  movers(): Object3D | null;
+}
+
+/** The same walk on one collider or another, switched while one walks. */
+export class Race {
+  /** Who walks. */
+  current: ContestantId = 'cube';
+  readonly results: Readonly<Record<ContestantId, Result>> = {
+    cube: noResult(),
+    octree: noResult(),
+    bvh: noResult(),
+    rapier: noResult(),
+  };
+  /** Whether anybody looks: nothing is judged else. */
+  watched = false;
+  /** What it is about, or what went wrong. */
+  status = '';
+  /** Called when something of this has changed. */
+  onChange: () => void = () => undefined;
+
+  readonly #track: Track;
+  readonly #rivals = new Map<RivalId, Promise<RivalCharacter>>();
+  #geometry: BufferGeometry | null = null;
+  #rival: RivalCharacter | null = null;
+  #scenery: Promise<Scenery> | null = null;
+  #judge: Scenery | null = null;
+  #wanted: ContestantId = 'cube';
+  #seconds = 0;
+
+  constructor(track: Track) {
+    this.#track = track;
+  }
+
+  /** Who walks, as the demo sees them. */
+  get character(): RaceCharacter {
+    return this.#rival ?? this.#track.ours();
+  }
+
+  /** What ours takes to be built, which is to compile: waits for it. */
+  async timed(compiled: Promise<void>): Promise<void> {
+    const begin = performance.now();
+    await compiled;
+    this.results.cube.build = performance.now() - begin;
+  }
+
+  /** Once a frame, between the controls' two calls. */
+  update(delta: number): void {
+    const begin = performance.now();
+    if (this.#rival === null) this.#track.step(delta);
+    else this.#stepRival(this.#rival, delta);
+    const end = performance.now();
+    this.results[this.current].frames.add(end, end - begin);
+    this.#seconds += delta;
+    if (this.#seconds < INTERVAL) return;
+    this.#seconds = 0;
+    if (this.watched) this.look();
+  }
+
+  /** Judges who walks. */
+  look(): void {
+    const { position, body } = this.character;
+    void this.#loadScenery().catch(() => undefined);
+    const inside = this.#judge?.penetration(position, body?.height);
+    if (inside !== undefined) this.results[this.current].inside = inside;
+    this.results.cube.bytes = ourBytes(this.#track.ours().collider);
+    this.onChange();
+  }
+
+  /** The next one's turn. */
+  next(): Promise<void> {
+    const i = CONTESTANTS.indexOf(this.#wanted);
+    return this.choose(CONTESTANTS[(i + 1) % CONTESTANTS.length]!);
+  }
+
+  /** Lets another one walk on from here; a rival is loaded and built first, meanwhile one walks on as before. */
+  async choose(id: ContestantId): Promise<void> {
+    this.#wanted = id;
+    if (id === 'cube') {
+      this.#handOver('cube', null);
+      return;
+    }
+    try {
+      const rival = await this.#built(id);
+      // Another one may have been asked for meanwhile.
+      if (this.#wanted === id) this.#handOver(id, rival);
+    } catch (error) {
+      console.warn(error);
+      if (this.#wanted !== id) return;
+      this.#wanted = this.current;
+      const { name } = this.current === 'cube' ? OURS : RIVALS[this.current];
+      this.#tell(`${RIVALS[id].name} could not be loaded: no network? ${name} goes on.`);
+    }
+  }
+
+  /** Ours goes on, and nothing built so far is used again: for another level, or another collider. */
+  reset(): void {
+    this.#wanted = 'cube';
+    this.#handOver('cube', null);
+    this.#rivals.clear();
+    this.#geometry = this.#scenery = this.#judge = null;
+  }
+
+  #handOver(id: ContestantId, rival: RivalCharacter | null): void {
+    const { controls } = this.#track;
+    const ours = this.#track.ours();
+    const last = this.#rival;
+    if (rival !== last) {
+      const foot = this.character.position;
+      if (rival !== null) {
+        rival.place(foot);
+        // It stands where it was left, and does not walk off when it is back.
+        ours.walk(STILL);
+        ours.crouch(false);
+      } else {
+        // A rival may have left it inside of what is drawn.
+        ours.teleport(this.#judge?.free(foot) ?? foot);
+      }
+      this.#rival = rival;
+      controls.character = this.character;
+    }
+    this.current = id;
+    document.body.classList.toggle('rival', rival !== null);
+    this.#tell('');
+  }
+
+  #built(id: RivalId): Promise<RivalCharacter> {
+    let rival = this.#rivals.get(id);
+    if (rival === undefined) {
+      rival = this.#build(id);
+      this.#rivals.set(id, rival);
+      // One that failed is tried again.
+      rival.catch(() => this.#rivals.delete(id));
+    }
+    return rival;
+  }
+
+  /** Of what stands still in the scene. */
+  async #build(id: RivalId): Promise<RivalCharacter> {
+    const { name, build } = RIVALS[id];
+    this.#tell(`Loading ${name}…`);
+    const scenery = await this.#loadScenery();
+    this.#tell(`Building ${name}…`);
+    await painted();
+    const { walker, bytes } = await build((this.#geometry ??= scenery.geometry()));
+    Object.assign(this.results[id], { build: walker.preparation, bytes });
+    return new RivalCharacter(walker, RIVALS[id], this.#track.avatar);
+  }
+
+  #stepRival(rival: RivalCharacter, delta: number): void {
+    try {
+      rival.update(delta);
+    } catch (error) {
+      console.warn(error);
+      void this.choose('cube');
+      return;
+    }
+    if (rival.position.y < this.#track.abyss) rival.place(this.#track.spawn);
+  }
+
+  #loadScenery(): Promise<Scenery> {
+    const { scene, hall, movers, avatar } = this.#track;
+    return (this.#scenery ??= import('./Scenery.js').then(
+      ({ Scenery }) => (this.#judge = new Scenery(scene, hall(), movers(), avatar)),
+      (error: unknown) => {
+        // To be tried again.
+        this.#scenery = null;
+        throw error;
+      },
+    ));
+  }
+
+  #tell(text: string): void {
+    this.status = text;
+    this.onChange();
+  }
+}
+
+function noResult(): Result {
+  return { build: NaN, bytes: NaN, frames: new FrameTimes(), inside: NaN };
+}
+
+/** Once what was told is to be seen. */
+function painted(): Promise<void> {
+  return new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+}
