@@ -1,5 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type UserConfig } from 'vite';
+import { contentPolicy } from './scripts/demo/contentPolicy.mjs';
+import { offline } from './scripts/demo/offline.mjs';
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -23,6 +25,7 @@ const demo: UserConfig = {
   appType: 'mpa', // a missing level is an error, not the page itself
   resolve: { alias },
   server: { fs: { allow: [here('.')] } },
+  plugins: [contentPolicy(), offline()],
   build: {
     outDir: here('dist-demo'),
     emptyOutDir: true,
@@ -37,6 +40,7 @@ const demo: UserConfig = {
  */
 const bench: UserConfig = {
   ...demo,
+  plugins: [contentPolicy()],
   build: {
     ...demo.build,
     emptyOutDir: false,

@@ -1,4 +1,4 @@
-import { Mesh, MeshStandardMaterial, type Object3D, type WebGLRenderer } from 'three';
+import { Mesh, MeshStandardMaterial, type Object3D, type Texture, type WebGLRenderer } from 'three';
 
 /** Parts of the full pixel ratio, best first. */
 const RATIOS = [1, 0.8, 0.65];
@@ -18,6 +18,9 @@ export class Quality {
   #seconds = 0;
   #frames = 0;
   #fast = 0;
+  #mode: 'auto' | 'high' | 'low' = 'auto';
+  /** What samples the softened textures had along the slant. */
+  readonly #sharp = new Map<Texture, number>();
 
   constructor(renderer: WebGLRenderer, scene: Object3D) {
     this.#renderer = renderer;
@@ -25,8 +28,17 @@ export class Quality {
     this.#pixelRatio = renderer.getPixelRatio();
   }
 
+  /** Sharp or fast, whatever comes of it, or whichever the GPU can do. */
+  set mode(mode: 'auto' | 'high' | 'low') {
+    if (mode === this.#mode) return;
+    this.#mode = mode;
+    this.#take(mode === 'low' ? RATIOS.length - 1 : 0);
+    if (mode === 'high') this.#sharpenTextures();
+  }
+
   /** Once a frame, with the seconds since the last. */
   update(delta: number): void {
+    if (this.#mode !== 'auto') return;
     this.#seconds += delta;
     if (++this.#frames < FRAMES) return;
     const mean = this.#seconds / this.#frames;
@@ -50,8 +62,17 @@ export class Quality {
       if (!(object instanceof Mesh) || !(object.material instanceof MeshStandardMaterial)) return;
       const { map } = object.material;
       if (map === null || map.anisotropy === 1) return;
+      this.#sharp.set(map, map.anisotropy);
       map.anisotropy = 1;
       map.needsUpdate = true;
     });
+  }
+
+  #sharpenTextures(): void {
+    for (const [map, anisotropy] of this.#sharp) {
+      map.anisotropy = anisotropy;
+      map.needsUpdate = true;
+    }
+    this.#sharp.clear();
   }
 }

@@ -1,32 +1,46 @@
-import { MathUtils, PerspectiveCamera, Scene, Timer, Vector3, type WebGLRenderer } from 'three';
+import { PerspectiveCamera, Scene, Timer, Vector3, type WebGLRenderer } from 'three';
 import {
-  AxisResponse,
   CameraBoom,
   CharacterController,
   CharacterControls,
   type CubeCollider,
   DEFAULTS,
-  SlideResponse,
 } from 'three-cube-collider';
 import { createAvatar } from './avatar/createAvatar.js';
 import { fade } from './boom/fade.js';
-import { createHall, type Hall } from './hall/createHall.js';
-import { addLighting, type Lighting } from './lighting.js';
+import { createCollider, createResponse } from './createCollider.js';
+import { fit } from './fit.js';
 import { GroundSpeed } from './GroundSpeed.js';
+import { createHall, type Hall } from './hall/createHall.js';
+import { type Change, createPanel, type Settings } from './hud/panel.js';
 import { createLevels } from './level/createLevels.js';
 import { disposeOf } from './level/dispose.js';
 import type { Level } from './level/Level.js';
 import { loadLevel } from './level/loadLevel.js';
+import { addLighting, type Lighting } from './lighting.js';
 import { createMovers, type Movers } from './movers.js';
-import { element, onReducedMotion } from './page.js';
-import { type Change, createPanel, type Settings } from './panel.js';
-import { DEFAULT_LEVEL, readParameters } from './parameters.js';
+import { keepForOffline } from './offline/keepForOffline.js';
 import { Overlays } from './overlays/Overlays.js';
+import { announce, element, hasMouse, onReducedMotion } from './page.js';
+import { DEFAULT_LEVEL, readParameters } from './parameters.js';
+import { Pause } from './pause/Pause.js';
 import { Quality } from './Quality.js';
 import { Race } from './race/Race.js';
 import { RacePanel } from './race/RacePanel.js';
 import { createWebGLRendering, type Rendering } from './rendering.js';
-import { StartScreen } from './StartScreen.js';
+import { followPreferences, SWITCHES } from './settings/followPreferences.js';
+import { PAGE_KEYS } from './settings/keys.js';
+import { onKeys } from './settings/onKeys.js';
+import {
+  defaultPreferences,
+  loadPreferences,
+  savePreferences,
+  storageOf,
+} from './settings/preferences.js';
+import { SettingsDialog } from './settings/SettingsDialog.js';
+import { showKeys } from './settings/showKeys.js';
+import { Opening } from './start/Opening.js';
+import { StartScreen } from './start/StartScreen.js';
 import { createThumbs } from './touch/createThumbs.js';
 
 const parameters = readParameters(location.search);
@@ -42,7 +56,7 @@ function start(screen: StartScreen, rendering: Rendering) {
   scene.add(avatar.object);
 
   const settings: Settings = {
-    view: parameters.view,
+    view: 'first',
     output: parameters.output,
     response: parameters.response,
     resolution: parameters.resolution,
@@ -100,6 +114,7 @@ function start(screen: StartScreen, rendering: Rendering) {
     overlays.after();
     controls.follow(delta);
     boom.update(renderer, scene, delta);
+    opening?.update(delta);
     fade(avatar.object, controls.avatarOpacity);
     thumbs?.update();
 
@@ -121,11 +136,14 @@ function start(screen: StartScreen, rendering: Rendering) {
   }
 
   function run(): void {
+    timer.reset();
     renderer.setAnimationLoop((time) => {
       timer.update(time);
-      const delta = timer.getDelta();
-      frame(delta);
+      // The first time may lie before the reset.
+      const delta = Math.max(0, timer.getDelta());
+      // Before the frame: another size clears the picture.
       quality?.update(delta);
+      frame(delta);
     });
   }
 
@@ -144,15 +162,27 @@ function start(screen: StartScreen, rendering: Rendering) {
   }
 
   function apply(what: Change): void {
-    controls.view = settings.view;
+    if (!opening?.active) controls.view = settings.view;
     helper.visible = settings.helper;
     document.body.classList.toggle('helper', settings.helper);
     if (what === 'collider') exchangeCollider();
     if (what === 'response') character.response = createResponse(settings);
     panel?.refresh();
     overlays.refresh();
-    // A choice in the panel leaves the keys to the walk again.
-    if (document.activeElement instanceof HTMLSelectElement) canvas.focus({ preventScroll: true });
+  }
+
+  /** Follows the user's preferences; called after any of them changed. */
+  function prefer(): void {
+    const { motion } = preferences;
+    const still = motion === 'system' ? stillSystem : motion === 'reduced';
+    followPreferences(controls, preferences);
+    controls.smoothing = still ? Infinity : 1;
+    document.documentElement.classList.toggle('still', still);
+    if (quality) quality.mode = preferences.quality;
+    settings.view = preferences.view;
+    apply('view');
+    resize();
+    showKeys(preferences.keys);
   }
 
   async function load(): Promise<void> {
@@ -215,36 +245,93 @@ function start(screen: StartScreen, rendering: Rendering) {
     },
   });
   const quality = parameters.adaptive ? new Quality(renderer, scene) : null;
-  const panel = parameters.ui ? createPanel(settings, rendering, apply) : null;
+  const panel = parameters.ui ? createPanel(settings, rendering, chosen) : null;
+  const opening = parameters.ui ? new Opening(camera, controls, element('words')) : null;
   if (parameters.ui) new RacePanel(race, controls, canvas);
   const hint = element('hint');
-  controls.enabled = !parameters.ui;
-  if (!parameters.ui) screen.hide();
-  apply('view');
 
+  // What the user prefers.
+  const storage = parameters.ui ? storageOf(window) : null;
+  const defaults = defaultPreferences({ ...controls.keys, ...PAGE_KEYS });
+  const preferences = loadPreferences(storage, defaults);
+  preferences.view = parameters.view ?? preferences.view;
+  const dialog = new SettingsDialog(preferences, defaults, () => {
+    prefer();
+    savePreferences(storage, preferences);
+  });
+  for (const name of SWITCHES) if (!(name in controls)) dialog.leaveOut(name);
+  let stillSystem = false;
+
+  // Walking, and not.
+  const pause = new Pause({
+    controls,
+    rest: () => renderer.setAnimationLoop(null),
+    goOn() {
+      run();
+      takeMouse();
+    },
+    restart: begin,
+  });
+
+  /** @param capture whether this is a user's gesture, in which the mouse may be captured */
   function walk(capture = true): void {
     controls.enabled = true;
     document.body.classList.add('walking');
-    if (window.matchMedia('(pointer: fine)').matches) {
-      canvas.focus({ preventScroll: true });
-      if (capture) void controls.lock();
-    }
-    hint.hidden = !parameters.ui;
+    opening?.end(settings.view);
+    // Whoever picked a file left the window.
+    if (pause.paused) pause.resume();
+    else if (capture) takeMouse();
+    else showHint();
   }
 
-  window.addEventListener('keydown', (event) => {
-    const { code, repeat, ctrlKey, altKey, metaKey, target } = event;
-    if (!controls.enabled || repeat || ctrlKey || altKey || metaKey) return;
-    if (target instanceof HTMLInputElement || target instanceof HTMLSelectElement) return;
-    if (code === 'KeyV') {
-      settings.view = settings.view === 'first' ? 'third' : 'first';
-      apply('view');
+  /** In a user's gesture: a browser may still refuse, as in the second after Escape; dragging looks then. */
+  function takeMouse(): void {
+    showHint();
+    if (!hasMouse()) return;
+    canvas.focus({ preventScroll: true });
+    void controls.lock();
+  }
+
+  function showHint(): void {
+    hint.hidden = !parameters.ui || controls.isLocked;
+    hint.textContent = hasMouse()
+      ? 'Click to look with the mouse, or drag'
+      : 'Left thumb walks, right thumb looks';
+  }
+
+  /** A choice in the panel or by a key, which lasts. */
+  function chosen(what: Change): void {
+    if (what === 'view') {
+      preferences.view = settings.view;
+      savePreferences(storage, preferences);
+      announce(settings.view === 'first' ? 'First person' : 'Third person');
     }
+    apply(what);
+    // A choice in the panel leaves the keys to the walk again.
+    if (document.activeElement instanceof HTMLSelectElement) canvas.focus({ preventScroll: true });
+  }
+
+  onKeys(preferences, () => controls.enabled, {
+    switchView() {
+      settings.view = settings.view === 'first' ? 'third' : 'first';
+      chosen('view');
+    },
+    colliderView() {
+      settings.helper = !settings.helper;
+      announce(
+        settings.helper ? 'Showing what the collider sees' : 'Hiding what the collider sees',
+      );
+      chosen('helper');
+    },
+    panel() {
+      if (panel?.toggle()) pause.freeMouse();
+      else takeMouse();
+    },
   });
   for (const type of ['lock', 'unlock'] as const) {
     controls.addEventListener(type, () => {
       document.body.classList.toggle('captured', controls.isLocked);
-      hint.hidden = !parameters.ui || controls.isLocked;
+      showHint();
     });
   }
   canvas.addEventListener('pointermove', ({ buttons }) => {
@@ -252,16 +339,24 @@ function start(screen: StartScreen, rendering: Rendering) {
   });
   // By a gamepad; the panel and the key go the other way round.
   controls.addEventListener('change', ({ view }) => {
+    if (view === settings.view) return;
     settings.view = view;
-    panel?.refresh();
+    chosen('view');
   });
-  onReducedMotion((reduced) => (controls.smoothing = reduced ? Infinity : 1));
-  const resize = () => {
-    renderer.setSize(window.innerWidth, window.innerHeight, false);
-    fit(camera, window.innerWidth / window.innerHeight);
-  };
+  function resize(): void {
+    const { innerWidth: width, innerHeight: height } = window;
+    renderer.setSize(width, height, false);
+    fit(camera, width / height, preferences.fieldOfView);
+    // Nothing else draws then.
+    if (pause.paused) frame(0);
+  }
   window.addEventListener('resize', resize);
-  resize();
+  onReducedMotion((reduced) => {
+    stillSystem = reduced;
+    prefer();
+  });
+  controls.enabled = !parameters.ui;
+  if (!parameters.ui) screen.hide();
 
   const ready = load().catch((error: unknown) => {
     console.error(error);
@@ -333,28 +428,9 @@ function start(screen: StartScreen, rendering: Rendering) {
       }
     },
     run,
+    pause,
+    preferences,
   };
-}
-
-function createCollider(
-  { output, resolution, supersample, readback }: Settings,
-  rendering: Rendering,
-): CubeCollider {
-  return output === 'axis'
-    ? rendering.createCollider({ output, resolution, rMax: DEFAULTS.character.radius })
-    : rendering.createCollider({ resolution, supersample, readback });
-}
-
-function createResponse({ output, response }: Settings): SlideResponse | AxisResponse {
-  return output === 'axis' || response === 'axis' ? new AxisResponse() : new SlideResponse();
-}
-
-/** 70° high; on an upright phone at least 50° wide. */
-function fit(camera: PerspectiveCamera, aspect: number): void {
-  const wide = 2 * Math.atan(Math.tan(MathUtils.degToRad(50) / 2) / aspect);
-  camera.aspect = aspect;
-  camera.fov = Math.max(70, MathUtils.radToDeg(wide));
-  camera.updateProjectionMatrix();
 }
 
 declare global {
@@ -364,6 +440,7 @@ declare global {
   }
 }
 
+keepForOffline();
 const screen = new StartScreen(() => window.demo.walk());
 const fail = (error: unknown) => {
   console.error(error);

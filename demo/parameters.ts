@@ -6,7 +6,8 @@ export interface Parameters {
   place: 'start' | 'hall';
   /** three's renderer; 'fallback' is the second on WebGL 2. */
   renderer: 'webgl' | 'webgpu' | 'fallback';
-  view: 'first' | 'third';
+  /** Null: what the user likes. */
+  view: 'first' | 'third' | null;
   /** Texels per face edge. */
   resolution: number;
   output: 'axis' | 'surface';
@@ -23,6 +24,7 @@ export interface Parameters {
 
 export const DEFAULT_LEVEL = `${import.meta.env.BASE_URL}level.glb`;
 
+const VIEWS = ['first', 'third'] as const;
 const RENDERERS = ['webgl', 'webgpu', 'fallback'] as const;
 
 export const RESOLUTIONS = [8, 16, 32, 64];
@@ -36,7 +38,7 @@ export function readParameters(search: string): Parameters {
     level: query.get('level') ?? DEFAULT_LEVEL,
     place: query.get('place') === 'hall' ? 'hall' : 'start',
     renderer: RENDERERS.find((name) => name === query.get('renderer')) ?? 'webgl',
-    view: query.get('view') === 'third' ? 'third' : 'first',
+    view: VIEWS.find((name) => name === query.get('view')) ?? null,
     resolution: RESOLUTIONS.includes(resolution) ? resolution : 32,
     output,
     response: output === 'axis' || query.get('response') === 'axis' ? 'axis' : 'slide',

@@ -1,9 +1,10 @@
-// `npm run build:picture [-- demo.jpg …]`: README's pictures of the demo, in docs/.
+// `npm run build:picture [-- demo.jpg … | --moving]`: README's pictures of the demo, in docs/; the moving one alone if asked.
 
 import { basename } from 'node:path';
 import { chromium } from '@playwright/test';
 import { createServer } from 'vite';
 import { ADVICE, findBrowser } from './browser.mjs';
+import { makeMovingPicture } from './movingPicture.mjs';
 
 /** Each with the function that puts everything in its place, run in the page. */
 const PICTURES = [
@@ -53,8 +54,8 @@ const browser = await chromium.launch({
   executablePath: found.path,
   args: ['--use-angle=swiftshader'],
 });
-for (const { file, size, query, arrange } of PICTURES) {
-  if (asked.length > 0 && !asked.includes(basename(file))) continue;
+/** The demo without words over it, its camera where it is put at once. */
+async function open(query, size) {
   const page = await browser.newPage({ viewport: size });
   // A software GPU draws a frame in seconds.
   page.setDefaultTimeout(300_000);
@@ -63,9 +64,18 @@ for (const { file, size, query, arrange } of PICTURES) {
     await window.demo.ready;
     window.demo.controls.smoothing = Infinity;
   });
-  await page.evaluate(arrange);
-  await page.screenshot({ path: file, type: 'jpeg', quality: 88 });
-  await page.close();
+  return page;
+}
+
+if (asked.includes('--moving')) await makeMovingPicture(open);
+else {
+  for (const { file, size, query, arrange } of PICTURES) {
+    if (asked.length > 0 && !asked.includes(basename(file))) continue;
+    const page = await open(query, size);
+    await page.evaluate(arrange);
+    await page.screenshot({ path: file, type: 'jpeg', quality: 88 });
+    await page.close();
+  }
 }
 await browser.close();
 await server.close();

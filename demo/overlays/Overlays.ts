@@ -143,7 +143,8 @@ export class Overlays {
     if (!this.#options.listening() || repeat || ctrlKey || altKey || metaKey) return;
     if (target instanceof HTMLInputElement || target instanceof HTMLSelectElement) return;
     const kind = OVERLAYS.find((each) => each.code === code);
-    if (kind !== undefined) this.set(kind.name, !this.has(kind.name));
+    // That one's key is among those which the page lets a user choose.
+    if (kind !== undefined && kind.name !== 'cubemap') this.set(kind.name, !this.has(kind.name));
   }
 
   /** Makes what is on and was not there yet. */

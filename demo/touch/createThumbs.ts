@@ -1,5 +1,4 @@
 import type { ButtonAction, CharacterControls } from 'three-cube-collider';
-import { element } from '../page.js';
 import './touch.css';
 
 /** Where the stick waits for a thumb, CSS pixels from the left and from the bottom. */
@@ -27,9 +26,6 @@ export function createThumbs(controls: CharacterControls): Thumbs {
   const knob = root.querySelector<HTMLElement>('.knob')!;
   for (const action of ['jump', 'crouch'] as const) {
     hold(root.querySelector<HTMLButtonElement>(`.${action}`)!, action, controls);
-  }
-  if (window.matchMedia('(pointer: coarse)').matches) {
-    element('hint').textContent = 'Left thumb walks, right thumb looks';
   }
   let drawn = '';
   return {

@@ -1,6 +1,7 @@
-import { GUI } from 'three/addons/libs/lil-gui.module.min.js';
-import { RESOLUTIONS } from './parameters.js';
-import type { Rendering } from './rendering.js';
+import { GUI } from 'lil-gui';
+import { element } from '../page.js';
+import { RESOLUTIONS } from '../parameters.js';
+import type { Rendering } from '../rendering.js';
 
 /** What the panel sets. */
 export interface Settings {
@@ -19,6 +20,8 @@ export type Change = 'view' | 'helper' | 'response' | 'collider';
 export interface Panel {
   /** Shows what was changed elsewhere, by a key. */
   refresh(): void;
+  /** Opens it, with the focus on its first choice, or closes it. @returns whether it is open now */
+  toggle(): boolean;
 }
 
 /** @param changed called after `settings` were */
@@ -27,9 +30,11 @@ export function createPanel(
   { backend, canWait }: Rendering,
   changed: (what: Change) => void,
 ): Panel {
-  const gui = new GUI({ title: 'Collider' });
+  // Its styles as a file: a strict policy of content refuses those that a script writes.
+  const gui = new GUI({ title: 'Collider', container: element('hud'), injectStyles: false });
   gui.domElement.setAttribute('role', 'group');
-  gui.domElement.setAttribute('aria-label', 'Settings');
+  gui.domElement.setAttribute('aria-label', 'Collider');
+  gui.close();
   gui
     .add(settings, 'view', { 'first person': 'first', 'third person': 'third' })
     .onChange(() => changed('view'));
@@ -63,6 +68,12 @@ export function createPanel(
     readback.show(surface && canWait);
   };
   showFitting();
-  if (window.innerWidth <= 560) gui.close();
-  return { refresh: () => gui.controllersRecursive().forEach((each) => each.updateDisplay()) };
+  return {
+    refresh: () => gui.controllersRecursive().forEach((each) => each.updateDisplay()),
+    toggle() {
+      gui.open(gui._closed);
+      if (!gui._closed) gui.domElement.querySelector('select')?.focus();
+      return !gui._closed;
+    },
+  };
 }

@@ -1,4 +1,4 @@
-import { element } from './page.js';
+import { announce, element } from '../page.js';
 
 /** What lies over the picture until one walks: progress, then the button, or what went wrong. */
 export class StartScreen {
@@ -32,12 +32,10 @@ export class StartScreen {
   }
 
   ready(): void {
-    this.#progress.hidden = true;
-    this.#walk.hidden = false;
-    const fine = window.matchMedia('(pointer: fine)').matches;
-    this.#status.textContent = fine ? 'Ready. The mouse looks around.' : 'Ready.';
-    if (!fine) this.#walk.textContent = 'Walk';
+    this.#progress.hidden = this.#status.hidden = true;
+    element('ready').hidden = false;
     this.#screen.dataset.state = 'ready';
+    announce('Ready to walk');
     // Enter starts; but a focus already somewhere is not taken away.
     if (document.activeElement === document.body) this.#walk.focus({ preventScroll: true });
   }
@@ -46,7 +44,7 @@ export class StartScreen {
   fail(error: unknown, mend: string): void {
     this.#screen.hidden = false;
     this.#screen.dataset.state = 'failed';
-    this.#progress.hidden = this.#walk.hidden = this.#status.hidden = true;
+    this.#progress.hidden = element('ready').hidden = this.#status.hidden = true;
     element('failure').textContent = error instanceof Error ? error.message : String(error);
     element('mend').textContent = mend;
     element('failed').hidden = false;

@@ -1,0 +1,21 @@
+import type { Keys } from './keys.js';
+
+/**
+ * Calls what a pressed key stands for, unless an input has the focus, which needs it itself.
+ *
+ * @param preferences whose keys are read at each press
+ * @param enabled whether keys are wanted now
+ */
+export function onKeys(
+  preferences: { readonly keys: Keys },
+  enabled: () => boolean,
+  actions: Record<string, () => void>,
+): void {
+  window.addEventListener('keydown', ({ code, repeat, ctrlKey, altKey, metaKey, target }) => {
+    if (!enabled() || repeat || ctrlKey || altKey || metaKey) return;
+    if (target instanceof HTMLInputElement || target instanceof HTMLSelectElement) return;
+    for (const [action, act] of Object.entries(actions)) {
+      if (preferences.keys[action]?.includes(code)) act();
+    }
+  });
+}
