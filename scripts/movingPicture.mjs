@@ -8,7 +8,7 @@ const SIZE = { width: 640, height: 360 };
 /** Pictures a second; no fewer, for a character takes no longer frames. */
 const RATE = 10;
 /** What a reader of README may be asked to load, bytes, and the qualities tried for it. */
-const LARGEST = 1.45e6;
+const LARGEST = 1.49e6;
 const QUALITIES = [62, 54, 46, 38, 30];
 
 /** Each begins at a place of its own, run in the page, and goes on for some seconds with keys held down. */
@@ -37,7 +37,7 @@ const SCENES = [
     async begin() {
       const { demo } = window;
       const { entry } = demo.hall;
-      demo.character.teleport(demo.spawn.clone().set(entry.x, entry.y + 0.1, entry.z + 3.5));
+      demo.character.teleport(demo.spawn.clone().set(entry.x, entry.y + 0.1, entry.z + 4.5));
       demo.controls.pitch = -0.12;
       await demo.step(6);
     },
@@ -57,8 +57,8 @@ const SCENES = [
       const back = hall.creature.joint(3.2).getWorldPosition(demo.spawn.clone());
       character.teleport(back.setY(back.y + 1.1));
       demo.controls.yaw = -0.68;
-      demo.controls.pitch = -0.3;
-      demo.controls.distance = 4.6;
+      demo.controls.pitch = -0.34;
+      demo.controls.distance = 5.6;
       await demo.step(12);
     },
     each: () => void (window.demo.controls.yaw += 0.01),
