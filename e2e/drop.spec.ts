@@ -127,34 +127,6 @@ test('walks in what is dropped, however it is measured, turned and packed', asyn
   await standsAndWalks(page);
 });
 
-test('adjusts scale and axis, begins where one says, and takes it back', async ({ page }) => {
-  await open(page);
-  await drop(page, [await asGlb('yard.glb', yard())]);
-  await page.getByRole('button', { name: 'Level', exact: true }).click();
-  const size = page.locator('.level-adjust legend');
-  await expect(size).toHaveText('yard.glb: 16 × 3.4 × 12 m');
-  await page.getByLabel('Scale').fill('2');
-  await page.getByLabel('Scale').press('Enter');
-  await expect(size).toHaveText('yard.glb: 32 × 6.8 × 24 m');
-  await page.getByLabel('Up axis').selectOption('+Z');
-  await expect(size).toHaveText('yard.glb: 32 × 24 × 6.8 m');
-  await page.getByRole('button', { name: 'Reset' }).click();
-  await expect(size).toHaveText('yard.glb: 16 × 3.4 × 12 m');
-  await page.locator('#picture').focus();
-  await standsAndWalks(page, 0);
-  const there = await foot(page);
-  await page.getByRole('button', { name: 'Start here' }).click();
-  await page.locator('#picture').focus();
-  await standsAndWalks(page, 0);
-  await page.getByRole('button', { name: 'Back to start' }).click();
-  await expect
-    .poll(async () => {
-      const [x, , z] = await foot(page);
-      return Math.hypot(x! - there[0]!, z! - there[2]!);
-    }, soon)
-    .toBeLessThan(0.3);
-});
-
 test('says what is wrong with a file, at once though it be 100 MB, and goes on in the level that is there', async ({
   page,
 }) => {
