@@ -85,10 +85,13 @@ export async function writeLevel({ shapes, textures, occlusion, spawn, compress 
         .setMaterial(material(name))
         .setIndices(accessor('SCALAR', Indices.from(indices)))
         .setAttribute('POSITION', accessor('VEC3', Float32Array.from(positions)))
-        .setAttribute('NORMAL', accessor('VEC3', Float32Array.from(normals)))
-        .setAttribute('COLOR_0', accessor('VEC4', Uint8Array.from(colors)).setNormalized(true));
+        .setAttribute('NORMAL', accessor('VEC3', Float32Array.from(normals)));
       if (textures[MATERIALS[name].texture])
         primitive.setAttribute('TEXCOORD_0', accessor('VEC2', Float32Array.from(uvs)));
+      primitive.setAttribute(
+        'COLOR_0',
+        accessor('VEC4', Uint8Array.from(colors)).setNormalized(true),
+      );
       if (MATERIALS[name].occlusion) {
         const spread = Array.from(
           { length: count * 2 },
