@@ -6,7 +6,7 @@ for (const backend of ['WebGL2', 'WebGPU'] satisfies Backend[]) {
   test(`no wall ever comes between head and camera, ${backend}`, async ({ page }) => {
     const report = await runInPage<BoomReport>(page, '/e2e/harness/boom.ts', {
       backend,
-      frames: backend === 'WebGPU' ? 72 : 140,
+      frames: backend === 'WebGPU' ? 56 : 120,
     });
     const { frames, draws, given, walked, reach, update, blocked } = report;
     console.log(
@@ -16,7 +16,7 @@ for (const backend of ['WebGL2', 'WebGPU'] satisfies Backend[]) {
     expect(report.hidden).toEqual([]);
     expect(report.cut).toEqual([]);
     // No safety by staying in the head, nor by standing still.
-    expect(given).toBeGreaterThan(0.6);
+    expect(given).toBeGreaterThan(0.5);
     expect(walked).toBeGreaterThan(frames / 15);
   });
 }

@@ -1,7 +1,7 @@
 import { Mesh, type Material, type Object3D } from 'three';
 
-/** Opacity of each material without fading. */
-const whole = new WeakMap<Material, number>();
+/** Each material as it is without fading. */
+const whole = new WeakMap<Material, { opacity: number; transparent: boolean }>();
 
 /**
  * Lets an avatar be seen through, as the camera comes near.
@@ -18,13 +18,14 @@ export function fade(avatar: Object3D, opacity: number): void {
 }
 
 function fadeMaterial(material: Material, opacity: number): void {
-  const full = whole.get(material) ?? material.opacity;
-  if (material.opacity === full * opacity) return;
-  if (!whole.has(material)) {
-    whole.set(material, full);
-    // Hashed away, not blended: limbs before limbs need no sorting, and depth stays.
-    material.alphaHash = true;
-    material.needsUpdate = true;
-  }
-  material.opacity = full * opacity;
+  if (!whole.has(material))
+    whole.set(material, { opacity: material.opacity, transparent: material.transparent });
+  const own = whole.get(material)!;
+  if (material.opacity === own.opacity * opacity) return;
+  material.opacity = own.opacity * opacity;
+  const transparent = own.transparent || opacity < 1;
+  if (material.transparent === transparent) return;
+  // Another program, made once; depth is written still, so that what lies behind a limb stays hidden.
+  material.transparent = transparent;
+  material.needsUpdate = true;
 }

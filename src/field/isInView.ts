@@ -3,7 +3,7 @@ import type { FieldMemory } from './FieldMemory.js';
 import { PIECE } from './pieces.js';
 import type { Surfels } from './Surfels.js';
 
-/** A plane seen at a slant is taken to run on to so many times the distance at which its texel saw it. */
+/** A plane seen at a slant is taken to run from half as far as its texel saw it to so many times as far. */
 const LONGEST = 2;
 
 /** The place that `isInView` is about: x, y, z, body's frame, metres. Set it before; see `axis` in `pieces.ts`. */
@@ -33,9 +33,11 @@ function liesBefore(surfels: Surfels): boolean {
   if (away > far) return false;
   const texel = directionTexel(x, y, z, resolution);
   const seen = distance[texel]!;
-  if (away < seen) return true;
+  // At a slant the plane may be met sooner than its texel says, or later.
+  if (LONGEST * away < seen) return true;
+  if (away > LONGEST * seen) return false;
   const i = ofTexel[texel]!;
-  if (i < 0 || away > LONGEST * seen) return false;
+  if (i < 0) return away < seen;
   surfels.find(blockOf[i]!);
   const p = PIECE * i;
   const height =

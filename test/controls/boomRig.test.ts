@@ -6,11 +6,11 @@ import { controlledPage } from '../support/controlledPage.js';
 
 /** A page with a boom that has so much room. */
 function withBoom(options = {}) {
-  const boom = {
-    free: Infinity,
-    reach: vi.fn<Boom['reach']>((_pivot, _direction, distance) => Math.min(distance, boom.free)),
-    ignore: vi.fn(),
-  };
+  const room = { free: Infinity };
+  const reach = vi.fn<Boom['reach']>((_pivot, _direction, distance) =>
+    Math.min(distance, room.free),
+  );
+  const boom = Object.assign(room, { reach, ignore: vi.fn() });
   return { boom, ...controlledPage({ view: 'third', boom, ...options }) };
 }
 
