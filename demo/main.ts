@@ -29,7 +29,7 @@ import { Race } from './race/Race.js';
 import { RacePanel } from './race/RacePanel.js';
 import { createWebGLRendering, type Rendering } from './rendering.js';
 import { followPreferences, SWITCHES } from './settings/followPreferences.js';
-import { PAGE_KEYS } from './settings/keys.js';
+import { keysToChoose, PAGE_KEYS } from './settings/keys.js';
 import { onKeys } from './settings/onKeys.js';
 import {
   defaultPreferences,
@@ -252,7 +252,7 @@ function start(screen: StartScreen, rendering: Rendering) {
 
   // What the user prefers.
   const storage = parameters.ui ? storageOf(window) : null;
-  const defaults = defaultPreferences({ ...controls.keys, ...PAGE_KEYS });
+  const defaults = defaultPreferences({ ...keysToChoose(controls.keys), ...PAGE_KEYS });
   const preferences = loadPreferences(storage, defaults);
   preferences.view = parameters.view ?? preferences.view;
   const dialog = new SettingsDialog(preferences, defaults, () => {

@@ -54,7 +54,7 @@ const foot = (page: Page) => page.evaluate(() => window.demo.character.position.
 
 /** It stands, on ground of that height if one is named, and goes on by a real key. */
 async function standsAndWalks(page: Page, ground?: number): Promise<void> {
-  await expect(page.getByRole('heading')).toBeHidden();
+  await expect(page.locator('#start')).toBeHidden();
   await expect.poll(() => page.evaluate(() => window.demo.character.grounded), soon).toBe(true);
   const from = await foot(page);
   const [, y] = from;
@@ -162,7 +162,7 @@ test('says what is wrong with a file, at once though it be 100 MB, and goes on i
   await drop(page, [{ name: 'rubbish.glb', bytes: new Uint8Array(100) }], 100e6);
   await expect(news).toContainText('“rubbish.glb” is broken');
   expect(await page.evaluate(() => window.demo.level!.name)).toBe('maze.glb');
-  await page.getByRole('button', { name: 'Click to walk' }).click();
+  await page.getByRole('button', { name: 'Walk', exact: true }).click();
   await standsAndWalks(page, 0);
   // The file says how long it is, and that its numbers go on with zeros.
   const padded = bytes.slice();

@@ -127,6 +127,7 @@ test('keys, mouse and gamepad each drive the character, and let go of it', async
       await stop(page);
       await page.keyboard.up('KeyD');
       await page.evaluate(() => void (window.pad.axes = [0, 0, 0, 0]));
+      await page.evaluate(() => window.demo.pause.resume());
       await step(page, 2);
     }
   });

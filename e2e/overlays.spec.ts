@@ -42,7 +42,7 @@ test.describe('in the demo', () => {
   test('should switch each by its key and by its button, which a finger hits', async ({ page }) => {
     await page.goto('/demo/index.html?dpr=1');
     await page.evaluate(() => window.demo.ready);
-    await page.getByRole('button', { name: 'Look around' }).tap();
+    await page.getByRole('button', { name: 'Walk', exact: true }).tap();
     await page.evaluate(() => window.demo.step(2));
     await page.getByRole('button', { name: 'What the collider sees' }).tap();
     const list = page.getByRole('region', { name: 'What the collider sees' });

@@ -22,7 +22,7 @@ async function open(page: Page): Promise<void> {
   });
   await page.goto('/demo/index.html?dpr=0.2&place=hall');
   await page.evaluate(() => window.demo.ready);
-  await page.getByRole('button', { name: 'Click to walk' }).click();
+  await page.getByRole('button', { name: 'Walk', exact: true }).click();
   await page.getByRole('button', { name: /^Race/ }).click();
   await page.evaluate(() => window.demo.step(2));
 }

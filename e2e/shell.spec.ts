@@ -154,7 +154,7 @@ test('leaves axe nothing to find, and no button too small for a thumb', async ({
   await page.keyboard.press('KeyP');
   await look('panel on a phone', '.lil-gui select >> nth=0');
   await page.setViewportSize({ width: 1280, height: 720 });
-  await look('panel', '.lil-gui select >> nth=0', '#readout');
+  await look('panel', '.lil-gui select >> nth=0', '.numbers');
   await page.keyboard.press('Escape');
   await look('paused', '#paused');
   await page.getByRole('button', { name: 'Settings' }).click();

@@ -25,7 +25,7 @@ type Totals = Record<'draws' | 'selecting' | 'submitting' | 'blocked' | 'decodin
 
 /** The small table of numbers: what a frame costs, what of it is the collider's and the character's, and why. */
 export class Numbers {
-  readonly element = document.createElement('div');
+  readonly element = document.createElement('section');
   readonly #cells = new Map<string, HTMLElement>();
   #seconds = 0;
   #frames = 0;
@@ -38,6 +38,7 @@ export class Numbers {
 
   constructor() {
     this.element.className = 'numbers';
+    this.element.setAttribute('aria-label', 'Numbers');
     const list = document.createElement('dl');
     for (const name of ROWS) {
       const term = document.createElement('dt');

@@ -8,7 +8,7 @@ export const SWITCHES = ['invertY', 'toggleRun'] as const;
 export function followPreferences(controls: CharacterControls, preferences: Preferences): void {
   const { keys } = controls;
   for (const action of Object.keys(keys) as (keyof typeof keys)[]) {
-    keys[action] = preferences.keys[action]!;
+    keys[action] = preferences.keys[action] ?? keys[action];
   }
   for (const name of SWITCHES) {
     if (name in controls) Object.assign(controls, { [name]: preferences[name] });

@@ -4,6 +4,11 @@ export type Keys = Record<string, string[]>;
 /** What keys do besides walking. */
 export const PAGE_KEYS: Keys = { switchView: ['KeyV'], colliderView: ['KeyH'], panel: ['KeyP'] };
 
+/** Those of the controls' keys that the page lets a user choose: the arrows walk in it, and turn nobody. */
+export function keysToChoose(keys: Readonly<Keys>): Keys {
+  return Object.fromEntries(Object.entries(keys).filter(([action]) => !action.startsWith('turn')));
+}
+
 const TITLES: Record<string, string> = {
   forward: 'Forward',
   back: 'Back',

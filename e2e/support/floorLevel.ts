@@ -17,6 +17,6 @@ export async function floorLevel(): Promise<Buffer> {
     )
     .setIndices(accessor('SCALAR', new Uint16Array([0, 1, 2, 0, 2, 3])));
   const node = document.createNode('floor').setMesh(document.createMesh().addPrimitive(primitive));
-  document.createScene().addChild(node);
+  document.createScene().addChild(node).addChild(document.createNode('spawn'));
   return Buffer.from(await new NodeIO().writeBinary(document));
 }

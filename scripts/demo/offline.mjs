@@ -2,7 +2,7 @@
 // A plugin of Vite: the built demo works without a network once it has been visited.
 import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, relative } from 'node:path';
 
 /** What browsers fetch on their own, or never. */
 const LEFT_OUT = /^icon-|\.map$/;
@@ -27,8 +27,10 @@ export function offline() {
         file.fileName,
         file.type === 'chunk' ? file.code : file.source,
       ]);
-      for (const name of readdirSync(publicDir)) {
-        files.push([name, readFileSync(join(publicDir, name))]);
+      for (const entry of readdirSync(publicDir, { recursive: true, withFileTypes: true })) {
+        if (!entry.isFile()) continue;
+        const path = join(entry.parentPath, entry.name);
+        files.push([relative(publicDir, path).replaceAll('\\', '/'), readFileSync(path)]);
       }
       const kept = files
         .filter(([name]) => !LEFT_OUT.test(name))
