@@ -4,7 +4,17 @@ import globals from 'globals';
 import tseslint from 'typescript-eslint';
 
 export default tseslint.config(
-  { ignores: ['dist', 'dist-demo', 'public', 'test-results', 'playwright-report'] },
+  {
+    ignores: [
+      'dist',
+      'dist-demo',
+      'public',
+      'test-results',
+      'playwright-report',
+      'docs/api',
+      '.cache',
+    ],
+  },
   js.configs.recommended,
   ...tseslint.configs.strict,
   prettier,
@@ -21,15 +31,15 @@ export default tseslint.config(
   ...[
     {
       files: ['src/cube/**', 'src/field/**', 'src/response/**'],
-      away: ['collider', 'character', 'controls', 'helpers'],
+      away: ['collider', 'character', 'controls', 'helpers', 'react'],
     },
-    { files: ['src/character/**'], away: ['collider', 'controls', 'helpers'] },
-    { files: ['src/collider/**'], away: ['character', 'controls', 'helpers'] },
-    { files: ['src/controls/**'], away: ['collider', 'helpers'] },
+    { files: ['src/character/**'], away: ['collider', 'controls', 'helpers', 'react'] },
+    { files: ['src/collider/**'], away: ['character', 'controls', 'helpers', 'react'] },
+    { files: ['src/controls/**'], away: ['collider', 'helpers', 'react'] },
     {
       files: ['src/webgpu/*.ts'],
       ignores: ['src/webgpu/index.ts'],
-      away: ['character', 'controls', 'helpers'],
+      away: ['character', 'controls', 'helpers', 'react'],
       three: ['three/addons/*'],
     },
   ].map(({ files, ignores = [], away, three = ['three/*'] }) => ({

@@ -9,7 +9,7 @@ if (!browser) throw new Error(ADVICE);
 env.CHROMIUM_PATH = browser.path;
 env.E2E_PORT ??= String(await freePort());
 
-/** `newest` or `oldest`: which of the two installed copies of three the pages get. */
+/** `newest` or `oldest`: which of the two installed copies of three the pages get; or another version (scripts/three.mjs). */
 env.THREE_VERSION ??= 'newest';
 
 export default defineConfig({

@@ -2,6 +2,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig, type UserConfig } from 'vite';
 import { contentPolicy } from './scripts/demo/contentPolicy.mjs';
 import { offline } from './scripts/demo/offline.mjs';
+import { shortShaders } from './scripts/build/glsl.mjs';
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -9,6 +10,7 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 export const alias = {
   'three-cube-collider/webgpu': here('src/webgpu/index.ts'),
   'three-cube-collider/helpers': here('src/helpers/index.ts'),
+  'three-cube-collider/react': here('src/react/index.ts'),
   'three-cube-collider': here('src/index.ts'),
 };
 
@@ -49,18 +51,23 @@ const bench: UserConfig = {
   },
 };
 
-/** `vite build --mode lib`: the package, three left to the user. */
+/** `vite build --mode lib`: the package, three and React left to the user. */
 const library: UserConfig = {
   publicDir: false,
+  plugins: [shortShaders()],
   build: {
     outDir: here('dist'),
     sourcemap: true,
     minify: false,
     lib: {
-      entry: { index: here('src/index.ts'), helpers: here('src/helpers/index.ts') },
+      entry: {
+        index: here('src/index.ts'),
+        helpers: here('src/helpers/index.ts'),
+        react: here('src/react/index.ts'),
+      },
       formats: ['es'],
     },
-    rolldownOptions: { external: [/^three($|\/)/] },
+    rolldownOptions: { external: [/^three($|\/)/, /^react($|\/)/, '@react-three/fiber'] },
   },
 };
 
@@ -71,6 +78,7 @@ const library: UserConfig = {
 const webgpu: UserConfig = {
   ...library,
   plugins: [
+    shortShaders(),
     {
       name: 'core-from-three-webgpu',
       enforce: 'pre',

@@ -1,5 +1,6 @@
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
+import { buildReactPage } from './support/reactPage.js';
 import { expect, test } from './support/test.js';
 
 const readme = await readFile('README.md', 'utf8');
@@ -8,7 +9,7 @@ const quickStart = /<!-- quick start.*?-->\s*```js\n(.*?)```/s.exec(readme)![1]!
 
 test('@three the quick start of README should run as it stands, and walk', async ({ page }) => {
   expect(quickStart.trimEnd().split('\n').length).toBeLessThanOrEqual(25);
-  await walk(page, quickStart);
+  await walk(page, await write(quickStart));
 });
 
 test('it should walk with WebGPURenderer, changed as README says', async ({ page }) => {
@@ -24,16 +25,27 @@ test('it should walk with WebGPURenderer, changed as README says', async ({ page
     'new WebGLRenderer({ antialias: true })',
     'new WebGPURenderer({ antialias: true, forceWebGL: true })',
   );
-  await walk(page, code);
+  await walk(page, await write(code));
 });
 
-async function walk(page: Page, code: string): Promise<void> {
+test('it should walk with React, as README says', async ({ page }) => {
+  const code = /<!-- react quick start.*?-->\s*```jsx\n(.*?)```/s.exec(readme)![1]!;
+  expect(code.trimEnd().split('\n').length).toBeLessThanOrEqual(25);
+  await walk(page, await buildReactPage(code, '.', 'quickstart'));
+});
+
+/** @returns the address of a module with this code */
+async function write(code: string): Promise<string> {
   await mkdir('.cache', { recursive: true });
   await writeFile('.cache/quickstart.js', code);
+  return '/.cache/quickstart.js';
+}
+
+async function walk(page: Page, script: string): Promise<void> {
   await page.route('**/quickstart.html', (route) =>
     route.fulfill({
       contentType: 'text/html',
-      body: '<!doctype html><body style="margin:0"><script type="module" src="/.cache/quickstart.js"></script>',
+      body: `<!doctype html><body style="margin:0"><script type="module" src="${script}"></script>`,
     }),
   );
   await page.setViewportSize({ width: 240, height: 160 });

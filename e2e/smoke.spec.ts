@@ -1,7 +1,9 @@
 import type { SmokeResult } from './harness/smoke.js';
 import { expect, runInPage, test, testOnOnePage } from './support/test.js';
 
-const REVISION = process.env.THREE_VERSION === 'oldest' ? '180' : '187';
+const { THREE_VERSION } = process.env;
+const REVISION =
+  THREE_VERSION === 'oldest' ? '180' : (/^0\.(\d+)/.exec(THREE_VERSION ?? '')?.[1] ?? '187');
 
 test('@three the page has a real WebGL2 context and the expected three revision', async ({
   page,

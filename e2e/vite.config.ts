@@ -5,9 +5,19 @@ import { alias } from '../vite.config.js';
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 const port = process.env.E2E_PORT ? Number(process.env.E2E_PORT) : undefined;
 
-/** `THREE_VERSION=oldest`: `three` and `three/…` mean the oldest three that package.json allows. */
-const oldest: Alias[] =
-  process.env.THREE_VERSION === 'oldest'
+const { THREE_VERSION, THREE_FOLDER } = process.env;
+
+/**
+ * `THREE_VERSION=oldest`: `three` and `three/…` mean the oldest three that package.json allows; `THREE_FOLDER`: the three
+ * that lies there (scripts/three.mjs).
+ */
+const otherThree: Alias[] = THREE_FOLDER
+  ? [
+      { find: /^three$/, replacement: `${THREE_FOLDER}/build/three.module.js` },
+      { find: /^three\/(webgpu|tsl)$/, replacement: `${THREE_FOLDER}/build/three.$1.js` },
+      { find: /^three\/addons\//, replacement: `${THREE_FOLDER}/examples/jsm/` },
+    ]
+  : THREE_VERSION === 'oldest'
     ? [{ find: /^three(?=$|\/)/, replacement: 'three-oldest' }]
     : [];
 
@@ -19,7 +29,7 @@ export default defineConfig({
   resolve: {
     alias: [
       ...Object.entries(alias).map(([find, replacement]) => ({ find, replacement })),
-      ...oldest,
+      ...otherThree,
       // One file, without the maps of sources that it does not bring.
       { find: /^iwer$/, replacement: 'iwer/build/iwer.module.js' },
     ],

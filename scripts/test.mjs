@@ -39,23 +39,31 @@ const browserTests = (name, version, ...args) => ({
   browser: true,
 });
 
+/**
+ * @param {string} name
+ * @param {string} script
+ * @returns {Stage}
+ */
+const nodeTests = (name, script) => ({
+  script,
+  args: [
+    '--allowOnly=false',
+    '--reporter=default',
+    '--reporter=json',
+    // Relative, since the path to here may have blanks in it.
+    `--outputFile.json=test-results/${name}.json`,
+  ],
+  count: (report) => ({ passed: report.numPassedTests, failed: report.numFailedTests }),
+});
+
 /** @type {Record<string, Stage>} */
 const STAGES = {
   format: { script: 'check:format', heartbeat: 'format' },
   lint: { script: 'check:lint', heartbeat: 'lint' },
   types: { script: 'check:types', heartbeat: 'types' },
-  unit: {
-    script: 'test:unit',
-    args: [
-      '--allowOnly=false',
-      '--reporter=default',
-      '--reporter=json',
-      // Relative, since the path to here may have blanks in it.
-      '--outputFile.json=test-results/unit.json',
-    ],
-    count: (report) => ({ passed: report.numPassedTests, failed: report.numFailedTests }),
-  },
+  unit: nodeTests('unit', 'test:unit'),
   build: { script: 'build' },
+  package: nodeTests('package', 'test:package'),
   e2e: browserTests('e2e', 'newest'),
   'e2e-oldest': browserTests('e2e-oldest', 'oldest', '--grep', '@three'),
 };

@@ -3,6 +3,7 @@
  * Metres, seconds, radians unless a line says otherwise.
  */
 export const DEFAULTS = {
+  /** Of `CubeColliderOptions`. */
   collider: {
     /** What is read back: 'surface' (distance and normal of every texel) or 'axis' (the paper's six maxima). */
     output: 'surface',
@@ -31,15 +32,22 @@ export const DEFAULTS = {
     /** How old its newest field may be before `update` waits for the next. */
     maxAge: 0.5,
   },
+  /** Of `CubeColliderGroupOptions`. */
   group: {
     /** Cubemaps drawn and read together at most, in one update. */
     size: 20,
   },
+  /** Of `CharacterOptions`. */
   character: {
+    /** Radius of the body. */
     radius: 0.35,
+    /** From foot to crown. */
     height: 1.8,
+    /** Downward acceleration, m/s². */
     gravity: 20,
+    /** Fastest fall, m/s. */
     terminalSpeed: 50,
+    /** Rise of a jump's foot. */
     jumpHeight: 1.1,
     /** Gap kept between body and surface. */
     skin: 0.02,
@@ -60,6 +68,7 @@ export const DEFAULTS = {
     /** Longest step taken at once. */
     maxDelta: 0.1,
   },
+  /** Of `AxisResponseOptions`. */
   axis: {
     /** Response factor along X and Z, less than `cY` (equations (23), (25)). */
     cXZ: 0.5,
@@ -68,10 +77,15 @@ export const DEFAULTS = {
     /** Pushes shorter than this are dropped (§1.2.3): off. */
     hMax: 0,
   },
+  /** Of `CharacterControlsOptions`. */
   controls: {
+    /** In the head, or behind it ('third'). */
     view: 'first',
+    /** m/s. */
     walkSpeed: 3,
+    /** While Shift is held, m/s. */
     runSpeed: 6,
+    /** Above the foot, standing. */
     eyeHeight: 1.6,
     /** Radians a pixel of mouse travel. */
     sensitivity: 0.002,
@@ -103,7 +117,9 @@ export const DEFAULTS = {
     maxPitch: (85 * Math.PI) / 180,
     /** Third person: camera's distance from the head. */
     distance: 4,
+    /** Nearest that the wheel brings it. */
     minDistance: 1,
+    /** Farthest that the wheel takes it. */
     maxDistance: 7,
   },
 } as const;

@@ -20,6 +20,9 @@ import { ContactList } from './ContactList.js';
 import type { Motion } from './Motion.js';
 import { type CharacterStats, SlideMotion } from './SlideMotion.js';
 
+/** The first frame's time stamp may lie this far before a clock that was made after it, seconds: no time has passed. */
+const CLOCK_SKEW = 0.1;
+
 /** The part of a character that collides. */
 export interface CharacterBody {
   /** Middle of the foot after the last step, world space, metres. To move it, use `teleport`. */
@@ -55,7 +58,9 @@ export class CharacterController<R = unknown, S = unknown>
   extends EventDispatcher<CharacterEventMap>
   implements CharacterSettings
 {
+  /** What it is drawn and read by. */
   readonly collider: CharacterCollider<R, S>;
+  /** The capsule that collides, as the last step left it. */
   readonly body: CharacterBody;
   /** m/s², downward, >= 0. */
   gravity: number;
@@ -79,6 +84,7 @@ export class CharacterController<R = unknown, S = unknown>
   airControl: number;
   /** Height along `up` below which it is put back to where `teleport` last put it, metres; null for never. */
   respawnBelow: number | null;
+  /** What is drawn of it, left out of its own cubemap; null for nothing. */
   readonly avatar: Object3D | null;
   /** What was done for want of a field, in counts. */
   readonly stats: CharacterStats = { steps: 0, held: 0, slowed: 0, draws: 0 };
@@ -90,6 +96,8 @@ export class CharacterController<R = unknown, S = unknown>
   #response: CollisionResponse | SlideResponse;
   #motion: Motion<R, S>;
   #disposed = false;
+  /** Whether a frame has been timed. */
+  #began = false;
 
   /**
    * @param collider drawn and read by `update`; its place is set in world space, so leave it without a moved parent.
@@ -264,7 +272,7 @@ export class CharacterController<R = unknown, S = unknown>
    */
   step(delta: number): void {
     if (!this.#usable(delta)) return;
-    this.#motion.step(delta);
+    this.#motion.step(Math.max(delta, 0));
     this.#respawn();
   }
 
@@ -282,7 +290,7 @@ export class CharacterController<R = unknown, S = unknown>
       );
       return;
     }
-    this.#motion.update(renderer, scene, delta);
+    this.#motion.update(renderer, scene, Math.max(delta, 0));
     this.#respawn();
   }
 
@@ -343,7 +351,11 @@ export class CharacterController<R = unknown, S = unknown>
       this.#warnings.once('used after dispose(); make a new one.');
       return false;
     }
-    if (Number.isFinite(delta) && delta >= 0) return true;
+    const began = this.#began;
+    if (Number.isFinite(delta) && (delta >= 0 || (!began && delta > -CLOCK_SKEW))) {
+      this.#began = true;
+      return true;
+    }
     this.#warnings.once(
       `"delta" must be seconds since the last frame, 0 or more (got ${delta}); holding.`,
       'delta',

@@ -26,7 +26,9 @@ const worldPosition = new Vector3();
  * is one for each renderer.
  */
 export abstract class ColliderBase<Renderer> extends Object3D {
+  /** As three's own objects tell it. */
   override readonly type = 'CubeCollider';
+  /** Tells it from other objects. */
   readonly isCubeCollider = true;
   /** 'surface' fills `field`, 'axis' fills `maxima`. */
   readonly output: 'surface' | 'axis';
@@ -50,6 +52,7 @@ export abstract class ColliderBase<Renderer> extends Object3D {
   readonly transparent: TransparentPolicy;
   /** Called for each mesh within reach; false makes it no obstacle. */
   filter: ((object: Object3D) => boolean) | null;
+  /** What it has done so far. */
   readonly stats: CubeColliderStats = emptyStats();
 
   readonly #settings: CubeColliderSettings;

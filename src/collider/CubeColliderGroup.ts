@@ -24,8 +24,9 @@ export interface CubeColliderGroupStats {
   reads: number;
   /** Reads that had to be waited for, since they were older than half a second. */
   forced: number;
-  /** Milliseconds the page has waited in reads, all together, and in the last one. */
+  /** Milliseconds the page has waited in reads, all together. */
   blocked: number;
+  /** Milliseconds it waited in the last one. */
   lastBlocked: number;
   /** Colliders that have asked to be drawn and wait for their turn. */
   waiting: number;
@@ -67,6 +68,7 @@ class Flight<Renderer> {
 export class CubeColliderGroup<Renderer> {
   /** Cubemaps drawn and read in one update at most. */
   readonly size: number;
+  /** What it has done so far. */
   readonly stats: CubeColliderGroupStats = {
     draws: 0,
     cubemaps: 0,

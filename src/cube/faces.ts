@@ -1,6 +1,7 @@
 /** The six faces of the cubemap in the order every array of this package uses. */
 export const FACE_NAMES = ['+X', '-X', '+Y', '-Y', '+Z', '-Z'] as const;
 
+/** Name of a face of the cube. */
 export type FaceName = (typeof FACE_NAMES)[number];
 
 /** One face: three orthonormal world axes. `right` = `forward` × `up`, as a camera has it. */

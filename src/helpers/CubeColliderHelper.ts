@@ -24,6 +24,7 @@ export type ViewableCollider = Pick<
   'renderTarget' | 'output' | 'format' | 'resolution' | 'stats' | 'rMin' | 'rMax' | 'maxima'
 >;
 
+/** Where the picture goes, and how large it is. */
 export interface CubeColliderHelperOptions {
   /** Width of the picture, CSS pixels; its height follows. @default 220 */
   size?: number;

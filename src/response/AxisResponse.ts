@@ -30,8 +30,11 @@ export interface AxisResponseOptions {
  *   back. It is there to be faithful, and off.
  */
 export class AxisResponse implements CollisionResponse {
+  /** Part of a sideways push that is taken. @default 0.5 */
   readonly cXZ: number;
+  /** Part of an upward or downward push that is taken. @default 1 */
   readonly cY: number;
+  /** Pushes shorter than this are dropped, metres. @default 0 */
   readonly hMax: number;
 
   /** @throws RangeError unless 0 < cXZ < cY <= 1 and hMax >= 0 */

@@ -59,6 +59,7 @@ const STEP_SLACK = 0.004;
  * its own.
  */
 export class SlideResponse {
+  /** Tells it from a response over the paper's maxima, of another copy of the package too. */
   readonly isSlideResponse = true;
   /** Contacts around where the body ended, within the skin and a little more. */
   readonly contacts = new ContactSet();

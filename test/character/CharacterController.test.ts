@@ -209,6 +209,17 @@ describe('CharacterController, in bad frames', () => {
     },
   );
 
+  it('should not mind a first frame that began before the clock was made', () => {
+    const character = new CharacterController(new AnalyticCollider(floor()), {
+      response: new AxisResponse(),
+    });
+    character.update({}, {}, -0.007);
+    character.update({}, {}, 1 / 60);
+    expect(warn).not.toHaveBeenCalled();
+    character.update({}, {}, -0.007);
+    expect(warn).toHaveBeenCalledTimes(1);
+  });
+
   it.each([
     [undefined, {}],
     [{}, undefined],
