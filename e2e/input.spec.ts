@@ -110,6 +110,7 @@ test('keys, mouse and gamepad each drive the character, and let go of it', async
     await expect.poll(() => page.evaluate(() => window.demo.controls.isLocked)).toBe(false);
     await stop(page);
     await page.keyboard.up('KeyS');
+    await page.evaluate(() => window.demo.pause.resume());
   });
 
   await test.step('the focus lost, or the tab hidden, lets go of keys and sticks', async () => {
@@ -197,10 +198,10 @@ test.describe('on a phone', () => {
     await expect(stick).not.toHaveClass(/held/);
 
     await page.evaluate(() => void (window.demo.controls.view = 'third'));
-    await touch(cdp, 'touchStart', [150, 100], [150, 160]);
-    await touch(cdp, 'touchMove', [150, 90], [150, 180]);
+    await touch(cdp, 'touchStart', [140, 130], [140, 180]);
+    await touch(cdp, 'touchMove', [140, 122], [140, 197]);
     const distance = () => page.evaluate(() => window.demo.controls.distance);
-    await expect.poll(distance).toBeCloseTo((4 * 60) / 90, 1);
+    await expect.poll(distance).toBeCloseTo((4 * 50) / 75, 1);
     await touch(cdp, 'touchEnd');
 
     const jump = page.getByRole('button', { name: 'Jump' });

@@ -40,7 +40,7 @@ describe('the package’s entries', () => {
     );
     expect(all).toBeLessThan(63);
     expect(core).toBeLessThan(all);
-    expect(collider).toBeLessThan(28.5);
+    expect(collider).toBeLessThan(30);
   }, 60_000);
 
   it('should add little for React, and for debug pictures', async () => {
@@ -59,7 +59,7 @@ describe('the package’s entries', () => {
     );
     expect(react).toBeGreaterThan(1);
     expect(react).toBeLessThan(4);
-    expect(helpers).toBeLessThan(4);
+    expect(helpers).toBeLessThan(10);
   }, 60_000);
 
   it('should leave WebGLRenderer out of the one for WebGPU', async () => {
@@ -69,6 +69,6 @@ describe('the package’s entries', () => {
     const collider = await shipped(files, "export { CubeCollider } from './webgpu.js'");
     console.log(`    webgpu ${all.toFixed(1)} kB, CubeCollider alone ${collider.toFixed(1)} kB`);
     expect(all).toBeLessThan(59);
-    expect(collider).toBeLessThan(25.5);
+    expect(collider).toBeLessThan(27);
   }, 60_000);
 });

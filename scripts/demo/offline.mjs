@@ -4,8 +4,11 @@ import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 
-/** What browsers fetch on their own, or never. */
-const LEFT_OUT = /^icon-|\.map$/;
+/**
+ * What browsers fetch on their own, or never; and what a visitor may never ask for, which is kept once it was: rivals,
+ * the other renderer, decoders, other levels.
+ */
+const LEFT_OUT = /^icon-|\.map$|^examples\/|rapier|MeshBVH|webgpu|draco|basis|KTX2/i;
 
 /**
  * Writes `sw.js` beside the page, a service worker that keeps every file of the build and of the public folder.

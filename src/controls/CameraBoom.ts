@@ -59,6 +59,7 @@ const PATIENCE = 60;
  * things to be walked into that do not stop the camera, filter them in the boom's collider alone.
  */
 export class CameraBoom<R = unknown, S = unknown> implements Boom {
+  /** What draws and reads the boom's own cubemap, as it was given; the boom owns it no more than a character owns its. */
   readonly collider: BoomCollider<R, S>;
 
   readonly #memory = new FieldMemory(new Quaternion());

@@ -15,9 +15,11 @@ export class TouchStick {
   active = false;
   /** Where the thumb came down, CSS pixels in the window (`clientX`, `clientY`); it follows a thumb that goes far. */
   originX = 0;
+  /** The same, downward: `clientY`. */
   originY = 0;
-  /** Thumb's way from there, CSS pixels, right and down positive. */
+  /** Thumb's way from there, CSS pixels, right positive. */
   x = 0;
+  /** The same, down positive. */
   y = 0;
   /** CSS pixels: so far out is a walk at full speed, half as far again a run. */
   readonly radius = RADIUS;
@@ -41,6 +43,7 @@ export class TouchStick {
     this.x = this.y = 0;
   }
 
+  /** The thumb is there now, CSS pixels in the window. */
   move(clientX: number, clientY: number): void {
     this.x = clientX - this.originX;
     this.y = clientY - this.originY;
@@ -53,6 +56,7 @@ export class TouchStick {
     this.y *= kept;
   }
 
+  /** The thumb was lifted. */
   end(): void {
     this.active = false;
     this.x = this.y = 0;

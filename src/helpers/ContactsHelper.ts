@@ -15,6 +15,7 @@ import { placeAlong } from './placeAlong.js';
 /** What the helper reads of a character. */
 export type ViewableContacts = Pick<CharacterController, 'body' | 'contacts' | 'up' | 'slopeLimit'>;
 
+/** Options of a `ContactsHelper`. */
 export interface ContactsHelperOptions {
   /** Length of the arrows, metres. @default 0.5 */
   length?: number;

@@ -8,6 +8,7 @@ import {
   type TimedCollider,
 } from './ReadbackHistory.js';
 
+/** Options of a `ReadbackTimeline`. */
 export interface ReadbackTimelineOptions {
   /** Who walks by it; with it, steps that were held or cut short are shown too. */
   character?: Pick<CharacterController, 'stats'>;

@@ -9,6 +9,7 @@ import { texelDisc } from './texelDisc.js';
 /** What the helper reads of a collider. */
 export type ViewableField = Pick<CubeCollider, 'field'>;
 
+/** Options of a `SurfelsHelper`. */
 export interface SurfelsHelperOptions {
   /** Which way is up: unit vector, world axes. @default +Y */
   up?: Vector3;

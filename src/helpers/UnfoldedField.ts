@@ -9,6 +9,7 @@ export type UnfoldableCollider = Pick<
   'field' | 'maxima' | 'output' | 'resolution' | 'rMin' | 'rMax'
 >;
 
+/** Options of an `UnfoldedField`. */
 export interface UnfoldedFieldOptions {
   /** Width of the picture, CSS pixels; its height follows. @default 220 */
   size?: number;
