@@ -23,10 +23,9 @@ longest stretch.`,
     about: `Main-thread time of a character's step, on the same hills and on real levels, averaged over the frames of a walk. Ours is
 split where it can be: selecting what is near, submitting the draw, reading back, decoding, solving.
 
-A profile of the walk on level.glb tells why ours is several times Rapier's, and why its mean is twice its median: about every
-sixth step brings a new field (3 to 4 ms for copying, decoding, surfels and the draw; 1 ms without), and in a page that is idle
-for the other 15 ms each step begins with cold caches. In Node, one step after the other, a step takes 0.1 to 0.2 ms
-(\`npm run bench:step\`); no function of it stands out: the largest, finding contacts among the surfels, is 7 % of a frame's.`,
+The parts below tell why ours is several times Rapier's: about every sixth step brings a new field to copy, decode and solve
+anew, which is what p95 tells and what makes the mean twice the median; and in a page that is idle for most of each 16 ms a step
+begins with cold caches. In Node, one step after the other, a step takes 0.1 to 0.2 ms (\`npm run bench:step\`).`,
   },
   {
     name: 'gpu',

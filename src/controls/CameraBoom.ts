@@ -96,7 +96,7 @@ export class CameraBoom<R = unknown, S = unknown> implements Boom {
     this.collider = collider;
   }
 
-  /** See `Boom`. Without a field, 0: the camera stays in the head. Microseconds; allocates nothing. */
+  /** See `Boom`. Without a field, 0: the camera stays in the head. Makes no object. */
   reach(pivot: Vector3, direction: Vector3, distance: number, radius: number): number {
     this.#pivot.copy(pivot);
     this.#wanted = Math.max(this.#wanted, distance);
