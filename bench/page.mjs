@@ -18,6 +18,9 @@ export const HOST = `${platform()} ${arch()}, ${cpus().length} cores (${cpus()[0
 /** For suites that count the heap's bytes: exact ones, and rubbish collected when they say so. */
 const HEAP = ['--enable-precise-memory-info', '--js-flags=--expose-gc'];
 
+/** Microseconds between two looks of the profiler. */
+const SAMPLING = 100;
+
 /** Headers that give the page a fine clock: without them it ticks in tenths of a millisecond. */
 const ISOLATED = {
   'Cross-Origin-Opener-Policy': 'same-origin',
@@ -30,8 +33,8 @@ const ISOLATED = {
  * @param {object} [options]
  * @param {import('vite').Plugin[]} [options.plugins] of the server
  * @param {(type: string, text: string) => void} [options.onMessage] hears what the page's console gets
- * @returns `run(module, argument)`, which imports a module there and calls its default export; a line on the machine;
- *   the browser's name; and `close()`
+ * @returns `run(module, argument)`, which imports a module there and calls its default export; `profiled`, which does so
+ *   under the browser's profiler; a line on the machine; the browser's name; and `close()`
  */
 export async function openPage({ plugins = [], onMessage } = {}) {
   const found = await findBrowser();
@@ -58,13 +61,24 @@ export async function openPage({ plugins = [], onMessage } = {}) {
   const address = server.httpServer?.address();
   if (typeof address !== 'object' || address === null) throw new Error('The server has no port.');
   await page.goto(`http://localhost:${address.port}/e2e/harness/index.html`);
+  /** @type {(module: string, argument: unknown) => Promise<any>} */
+  const run = (module, argument) =>
+    page.evaluate(
+      async ([url, value]) => (await import(/** @type {string} */ (url))).default(value),
+      /** @type {const} */ ([module, argument]),
+    );
+  const devtools = await page.context().newCDPSession(page);
   return {
-    /** @type {(module: string, argument: unknown) => Promise<any>} */
-    run: (module, argument) =>
-      page.evaluate(
-        async ([url, value]) => (await import(/** @type {string} */ (url))).default(value),
-        /** @type {const} */ ([module, argument]),
-      ),
+    run,
+    /** Runs it while the browser's profiler looks on. @type {(module: string, argument: unknown) => Promise<import('./suites/selfTimes.mjs').CpuProfile>} */
+    async profiled(module, argument) {
+      await devtools.send('Profiler.enable');
+      await devtools.send('Profiler.setSamplingInterval', { interval: SAMPLING });
+      await devtools.send('Profiler.start');
+      await run(module, argument);
+      const { profile } = await devtools.send('Profiler.stop');
+      return { samples: [], timeDeltas: [], ...profile };
+    },
     machine: `Chromium ${browser.version()}, ${HOST}, software GPU`,
     browser: `Chromium ${browser.version()}`,
     async close() {

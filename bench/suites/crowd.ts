@@ -111,7 +111,8 @@ function startOf(i: number, count: number): Vector3 {
   return new Vector3(APART * ((i % edge) - middle), 1.3, APART * (Math.floor(i / edge) - middle));
 }
 
-async function enterOurs(
+/** Ours, in one group or each for itself. */
+export async function enterOurs(
   rendering: Rendering,
   { scene }: Place,
   count: number,

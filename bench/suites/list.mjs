@@ -6,6 +6,7 @@ import { EXPECTED, serveLevels, urlOf } from '../walk/session.mjs';
 import { bundle } from './bundle.mjs';
 import { latency } from './latency.mjs';
 import { PAGE_SUITES } from './pages.mjs';
+import { profile } from './profile.mjs';
 import { size } from './size.mjs';
 import { walk } from './walk.mjs';
 
@@ -35,7 +36,7 @@ export const SUITES = [];
 for (const name of ['load', 'step', 'gpu']) SUITES.push(inPage(name));
 SUITES.push(latency);
 for (const name of ['moving', 'crowd']) SUITES.push(inPage(name));
-SUITES.push(walk, inPage('feel'), size, bundle);
+SUITES.push(profile, walk, inPage('feel'), size, bundle);
 
 /** A suite of a web page, in a fresh one. @param {string} name @returns {NodeSuite} */
 function inPage(name) {
