@@ -46,6 +46,7 @@ import { createThumbs } from './touch/createThumbs.js';
 const parameters = readParameters(location.search);
 
 const canvas = element<HTMLCanvasElement>('picture');
+const antialias = parameters.quality !== 'low';
 
 function start(screen: StartScreen, rendering: Rendering) {
   const { renderer } = rendering;
@@ -178,7 +179,7 @@ function start(screen: StartScreen, rendering: Rendering) {
     followPreferences(controls, preferences);
     controls.smoothing = still ? Infinity : 1;
     document.documentElement.classList.toggle('still', still);
-    if (quality) quality.mode = preferences.quality;
+    if (quality) quality.mode = parameters.quality ?? preferences.quality;
     settings.view = preferences.view;
     apply('view');
     resize();
@@ -209,6 +210,7 @@ function start(screen: StartScreen, rendering: Rendering) {
     }
     rendering.translate(scene);
     scene.add(level.root);
+    quality?.refresh();
     begin();
     await race.timed(collider.compile(renderer, scene));
     await renderer.compileAsync(scene, camera);
@@ -244,7 +246,7 @@ function start(screen: StartScreen, rendering: Rendering) {
       },
     },
   });
-  const quality = parameters.adaptive ? new Quality(renderer, scene) : null;
+  const quality = parameters.adaptive || parameters.quality ? new Quality(renderer, scene) : null;
   const panel = parameters.ui ? createPanel(settings, rendering, chosen) : null;
   const opening = parameters.ui ? new Opening(camera, controls, element('words')) : null;
   if (parameters.ui) new RacePanel(race, controls, canvas);
@@ -447,7 +449,8 @@ const fail = (error: unknown) => {
   screen.fail(error, 'This page needs WebGL 2: is hardware acceleration switched off?');
 };
 try {
-  if (parameters.renderer === 'webgl') window.demo = start(screen, createWebGLRendering(canvas));
+  if (parameters.renderer === 'webgl')
+    window.demo = start(screen, createWebGLRendering(canvas, antialias));
   else void startWebGPU().catch(fail);
 } catch (error) {
   fail(error);
@@ -456,6 +459,10 @@ try {
 /** Loaded only where it is asked for: a second renderer is as large as the first. */
 async function startWebGPU(): Promise<void> {
   const { createWebGPURendering } = await import('./webgpu/createWebGPURendering.js');
-  const rendering = await createWebGPURendering(canvas, parameters.renderer === 'fallback');
+  const rendering = await createWebGPURendering(
+    canvas,
+    antialias,
+    parameters.renderer === 'fallback',
+  );
   window.demo = start(screen, rendering);
 }

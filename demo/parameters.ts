@@ -1,3 +1,5 @@
+import type { QualityMode } from './Quality.js';
+
 /** What the page's address asks for: `?view=third&response=axis&helper=1`. */
 export interface Parameters {
   /** Address of the level. */
@@ -18,12 +20,15 @@ export interface Parameters {
   /** False hides everything but the picture. */
   ui: boolean;
   pixelRatio: number;
-  /** Draws fewer pixels where the GPU is slow; not if the address says how many. */
+  /** Draws less where the GPU is slow; not if the address says how many pixels. */
   adaptive: boolean;
+  /** Null: what the user likes. 'low' is without shadows, and coarse. */
+  quality: QualityMode | null;
 }
 
 export const DEFAULT_LEVEL = `${import.meta.env.BASE_URL}level.glb`;
 
+const QUALITIES = ['auto', 'high', 'low'] as const;
 const VIEWS = ['first', 'third'] as const;
 const RENDERERS = ['webgl', 'webgpu', 'fallback'] as const;
 
@@ -44,6 +49,7 @@ export function readParameters(search: string): Parameters {
     response: output === 'axis' || query.get('response') === 'axis' ? 'axis' : 'slide',
     helper: query.get('helper') === '1',
     ui: query.get('ui') !== '0',
+    quality: QUALITIES.find((name) => name === query.get('quality')) ?? null,
     adaptive: !query.has('dpr') && query.get('ui') !== '0',
     pixelRatio: Number(query.get('dpr')) || Math.min(window.devicePixelRatio, 2),
   };

@@ -24,9 +24,9 @@ export interface Rendering {
   translate(root: Object3D): void;
 }
 
-export function createWebGLRendering(canvas: HTMLCanvasElement): Rendering {
+export function createWebGLRendering(canvas: HTMLCanvasElement, antialias: boolean): Rendering {
   return {
-    renderer: new WebGLRenderer({ canvas, antialias: true }),
+    renderer: new WebGLRenderer({ canvas, antialias }),
     backend: 'WebGL 2',
     canWait: true,
     createCollider: (options) => new CubeCollider(options),

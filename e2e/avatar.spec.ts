@@ -21,7 +21,7 @@ const watch = (page: Page, frames: number) =>
 test('the avatar stands, walks, runs, leaps, falls, lands and crouches by the keys, a ghost to its own cubemap', async ({
   page,
 }) => {
-  await page.goto('/demo/index.html?dpr=1&ui=0&view=third');
+  await page.goto('/demo/index.html?dpr=1&quality=low&ui=0&view=third');
   await page.evaluate(() => window.demo.ready);
   expect(await watch(page, 2)).toEqual(['idle']);
 

@@ -34,7 +34,7 @@ test('walks from any folder, keeps to it, and needs no network the next time', a
   const asked: string[] = [];
   context.on('request', (request) => asked.push(request.url()));
   const begin = async () => {
-    await page.goto(`${url}?dpr=0.2`);
+    await page.goto(`${url}?dpr=0.2&quality=low`);
     await page.evaluate(() => window.demo.ready);
     await page.getByRole('button', { name: 'Walk', exact: true }).click();
     const frames = () => page.evaluate(() => window.demo.renderer.info.render.frame);

@@ -12,7 +12,7 @@ const [LEAST_GAP, MOST_GAP] = [0.01, 0.025];
 
 /** Opens the demo and waits until one can walk. */
 async function open(page: Page, query: string): Promise<void> {
-  await page.goto(`/demo/index.html?dpr=1&${query}`);
+  await page.goto(`/demo/index.html?dpr=1&${query}&quality=low`);
   await page.evaluate(() => window.demo.ready);
 }
 
@@ -85,7 +85,7 @@ test.describe('walking', () => {
 
   test('walks into the hall with ?renderer=webgpu, and says so', async ({ page }) => {
     // `window.demo` comes once the renderer is there.
-    await page.goto('/demo/index.html?dpr=1&renderer=webgpu&place=hall');
+    await page.goto('/demo/index.html?dpr=1&quality=low&renderer=webgpu&place=hall');
     await page.waitForFunction(() => window.demo !== undefined);
     await page.evaluate(() => window.demo.ready);
     await page.getByRole('button', { name: 'Walk' }).click();
@@ -195,7 +195,7 @@ test.describe('walking', () => {
 
 test('looks as it did in first and in third person', async ({ page }) => {
   await page.setViewportSize({ width: 640, height: 360 });
-  await open(page, 'ui=0&helper=1');
+  await open(page, 'ui=0&helper=1&quality=high');
   await page.evaluate(async () => {
     const { demo } = window;
     // However many frames the page has drawn by now, it stands.

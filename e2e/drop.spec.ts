@@ -9,7 +9,7 @@ const soon = { intervals: [100], timeout: 30_000 };
 
 // A desktop's page with a coarse picture: the software GPU draws it several times as fast.
 test.use({ viewport: { width: 800, height: 500 } });
-const COARSE = 'dpr=0.3';
+const COARSE = 'dpr=0.3&quality=low';
 
 /** Opens the demo in a small level, and waits until one can walk. */
 async function open(page: Page, query = ''): Promise<void> {

@@ -157,7 +157,7 @@ test('walks through a hall of what is only drawn, and finds all of it solid', as
 
 test('begins there if the address says so', async ({ page }) => {
   await page.setViewportSize({ width: 240, height: 136 });
-  await page.goto('/demo/index.html?ui=0&dpr=1&place=hall');
+  await page.goto('/demo/index.html?ui=0&dpr=1&quality=low&place=hall');
   const begun = await page.evaluate(async () => {
     await window.demo.ready;
     const { demo } = window;

@@ -5,7 +5,7 @@ test.use({ viewport: { width: 240, height: 136 } });
 
 /** Opens the demo and waits until one can walk; from then on it goes on by `step` alone. */
 async function open(page: Page, query: string): Promise<void> {
-  await page.goto(`/demo/index.html?dpr=1&${query}`);
+  await page.goto(`/demo/index.html?dpr=1&${query}&quality=low`);
   await page.evaluate(async () => {
     const { demo } = window;
     await demo.ready;

@@ -40,7 +40,7 @@ test.describe('in the demo', () => {
   test.use({ viewport: { width: 390, height: 480 }, hasTouch: true, isMobile: true });
 
   test('should switch each by its key and by its button, which a finger hits', async ({ page }) => {
-    await page.goto('/demo/index.html?dpr=1');
+    await page.goto('/demo/index.html?dpr=1&quality=low');
     await page.evaluate(() => window.demo.ready);
     await page.getByRole('button', { name: 'Walk', exact: true }).tap();
     await page.evaluate(() => window.demo.step(2));

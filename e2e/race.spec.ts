@@ -20,7 +20,7 @@ async function open(page: Page): Promise<void> {
   await page.addInitScript(() => {
     Element.prototype.requestPointerLock = () => Promise.reject(new Error('refused'));
   });
-  await page.goto('/demo/index.html?dpr=0.2&place=hall');
+  await page.goto('/demo/index.html?dpr=0.2&quality=low&place=hall');
   await page.evaluate(() => window.demo.ready);
   await page.getByRole('button', { name: 'Walk', exact: true }).click();
   await page.getByRole('button', { name: /^Race/ }).click();

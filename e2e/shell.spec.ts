@@ -4,7 +4,7 @@ import { floorLevel } from './support/floorLevel.js';
 import { expect, test } from './support/test.js';
 
 /** Few pixels: the software GPU draws a large page as fast as a small one. */
-const FEW = 'dpr=0.2';
+const FEW = 'dpr=0.2&quality=low';
 /** A level that is there at once. */
 const FLOOR = '/floor.glb';
 const PHONE = { width: 390, height: 844 };

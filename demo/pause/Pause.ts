@@ -51,8 +51,10 @@ export class Pause {
       pausable.restart();
       this.resume();
     });
-    // By Escape.
-    dialog.addEventListener('close', () => this.resume());
+    // By Escape. The event comes late: of a dialog that another pause has opened since, it tells nothing.
+    dialog.addEventListener('close', () => {
+      if (!dialog.open) this.resume();
+    });
   }
 
   /** The Escape that pauses, or that let go of the mouse, must not close the dialog, too. */

@@ -1,3 +1,4 @@
+import type { QualityMode } from '../Quality.js';
 import { isBindable, type Keys } from './keys.js';
 
 /** What a user likes, on any level. */
@@ -9,7 +10,7 @@ export interface Preferences {
   fieldOfView: number;
   invertY: boolean;
   toggleRun: boolean;
-  quality: 'auto' | 'high' | 'low';
+  quality: QualityMode;
   motion: 'system' | 'full' | 'reduced';
   keys: Keys;
 }

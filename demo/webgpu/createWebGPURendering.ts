@@ -9,9 +9,10 @@ import { translate } from './translate.js';
 /** @param forceWebGL on the WebGL 2 fallback, though there be WebGPU */
 export async function createWebGPURendering(
   canvas: HTMLCanvasElement,
+  antialias: boolean,
   forceWebGL: boolean,
 ): Promise<Rendering> {
-  const renderer = new WebGPURenderer({ canvas, antialias: true, forceWebGL });
+  const renderer = new WebGPURenderer({ canvas, antialias, forceWebGL });
   await renderer.init();
   const { isWebGPUBackend } = renderer.backend as { isWebGPUBackend?: boolean };
   return {
