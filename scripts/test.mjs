@@ -11,7 +11,7 @@ import { main, npm, root, run, secondsSince } from './run.mjs';
  * @property {string} script the script of package.json
  * @property {string[]} [args]
  * @property {NodeJS.ProcessEnv} [env]
- * @property {string} [heartbeat] for a tool that says nothing while it works
+ * @property {string} [heartbeat] for a tool that says nothing while it works; those next to each other work at once
  * @property {(report: any) => Counts} [count] reads the numbers of tests out of a report; marks a stage of tests
  * @property {boolean} [browser]
  *
@@ -87,14 +87,15 @@ async function testAll() {
 
   /** @type {Outcome[]} */
   const outcomes = [];
-  for (const name of names) {
+  for (const batch of batches(names)) {
+    const [name] = batch;
     const buildFailed = outcomes.some((outcome) => outcome.name === 'build' && !outcome.ok);
     if (STAGES[name].browser && buildFailed) {
       outcomes.push({ name, ok: false, note: 'not run, the build failed', counts: BROKEN });
     } else if (STAGES[name].browser && !browser) {
       outcomes.push({ name, ok: false, note: 'not run, no browser', counts: BROKEN });
     } else {
-      outcomes.push(await test(name));
+      outcomes.push(...(await Promise.all(batch.map(test))));
     }
   }
 
@@ -110,6 +111,23 @@ async function testAll() {
     console.log(`${passed} passed, ${failed} failed`);
   }
   return outcomes.every(({ ok }) => ok);
+}
+
+/**
+ * One after the other, but those that use one core and say nothing at the same time.
+ *
+ * @param {string[]} names of stages
+ * @returns {string[][]}
+ */
+function batches(names) {
+  /** @type {string[][]} */
+  const found = [];
+  for (const name of names) {
+    const last = found.at(-1);
+    if (STAGES[name].heartbeat && last && STAGES[last[0]].heartbeat) last.push(name);
+    else found.push([name]);
+  }
+  return found;
 }
 
 /**
