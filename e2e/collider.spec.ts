@@ -7,7 +7,7 @@ import type onThePlane from './harness/onThePlane.js';
 import type readbacks from './harness/readbacks.js';
 import type surface from './harness/surface.js';
 import type untouched from './harness/untouched.js';
-import { expect, runInPage, test } from './support/test.js';
+import { expect, runInPage, test, testOnOnePage } from './support/test.js';
 
 /** Parts of the texels that must agree with three's Raycaster: the rest are silhouettes. */
 const AGREEMENT = 0.997;
@@ -30,7 +30,7 @@ test.describe('every texel against three’s Raycaster (32² faces, centre insid
     ],
   ];
   for (const [name, options] of cases) {
-    test(`should agree with ${name}`, async ({ page }) => {
+    testOnOnePage(`should agree with ${name}`, async ({ page }) => {
       const report = await runInPage<Awaited<ReturnType<typeof surface>>>(
         page,
         '/e2e/harness/surface.ts',
@@ -78,7 +78,7 @@ test.describe('the user’s frame', () => {
     ['@three a probe of the paper’s mode', { output: 'axis' }],
   ];
   for (const [name, options] of cases) {
-    test(`should be identical with ${name} between its frames`, async ({ page }) => {
+    testOnOnePage(`should be identical with ${name} between its frames`, async ({ page }) => {
       const report = await runInPage<Awaited<ReturnType<typeof untouched>>>(
         page,
         '/e2e/harness/untouched.ts',
@@ -98,42 +98,46 @@ test.describe('the user’s frame', () => {
 });
 
 test.describe('reading back', () => {
-  test('should stamp late fields with their own place, with two reads in flight at most', async ({
-    page,
-  }) => {
-    const report = await runInPage<Awaited<ReturnType<typeof readbacks>>>(
-      page,
-      '/e2e/harness/readbacks.ts',
-      {
-        frames: 60,
-        stride: 0.02,
-        options: {},
-      },
-    );
-    expect(report.fields).toBeGreaterThan(3);
-    expect(report.stampError).toBe(0);
-    expect(report.worst).toBeLessThan(0.005);
-    expect(report.mostInFlight).toBeLessThanOrEqual(2);
-    expect(report.buffers).toBe(2);
-    expect(report.stats.blocked).toBeGreaterThan(0);
-    expect(report.stats.latency).toBeGreaterThan(0);
-  });
+  testOnOnePage(
+    'should stamp late fields with their own place, with two reads in flight at most',
+    async ({ page }) => {
+      const report = await runInPage<Awaited<ReturnType<typeof readbacks>>>(
+        page,
+        '/e2e/harness/readbacks.ts',
+        {
+          frames: 60,
+          stride: 0.02,
+          options: {},
+        },
+      );
+      expect(report.fields).toBeGreaterThan(3);
+      expect(report.stampError).toBe(0);
+      expect(report.worst).toBeLessThan(0.005);
+      expect(report.mostInFlight).toBeLessThanOrEqual(2);
+      expect(report.buffers).toBe(2);
+      expect(report.stats.blocked).toBeGreaterThan(0);
+      expect(report.stats.latency).toBeGreaterThan(0);
+    },
+  );
 
-  test('should wait for one read when the reach runs out, and count it', async ({ page }) => {
-    const report = await runInPage<Awaited<ReturnType<typeof readbacks>>>(
-      page,
-      '/e2e/harness/readbacks.ts',
-      {
-        frames: 5,
-        stride: 0.02,
-        options: {},
-      },
-    );
-    expect(report.forcedAtStart).toBe(1);
-    expect(report.forcedByMoving).toBe(3);
-  });
+  testOnOnePage(
+    'should wait for one read when the reach runs out, and count it',
+    async ({ page }) => {
+      const report = await runInPage<Awaited<ReturnType<typeof readbacks>>>(
+        page,
+        '/e2e/harness/readbacks.ts',
+        {
+          frames: 5,
+          stride: 0.02,
+          options: {},
+        },
+      );
+      expect(report.forcedAtStart).toBe(1);
+      expect(report.forcedByMoving).toBe(3);
+    },
+  );
 
-  test('should have each field at once when synchronous', async ({ page }) => {
+  testOnOnePage('should have each field at once when synchronous', async ({ page }) => {
     const report = await runInPage<Awaited<ReturnType<typeof readbacks>>>(
       page,
       '/e2e/harness/readbacks.ts',
@@ -151,29 +155,33 @@ test.describe('reading back', () => {
   });
 });
 
-test('should lose no triangle that reaches through a face camera’s plane', async ({ page }) => {
-  const reports = await runInPage<Awaited<ReturnType<typeof onThePlane>>>(
-    page,
-    '/e2e/harness/onThePlane.ts',
-  );
-  for (const { expected, missed, worst } of reports) {
-    expect(expected).toBeGreaterThan(2000);
-    expect(missed).toBe(0);
-    expect(worst).toBeLessThan(0.001);
-  }
-});
+testOnOnePage(
+  'should lose no triangle that reaches through a face camera’s plane',
+  async ({ page }) => {
+    const reports = await runInPage<Awaited<ReturnType<typeof onThePlane>>>(
+      page,
+      '/e2e/harness/onThePlane.ts',
+    );
+    for (const { expected, missed, worst } of reports) {
+      expect(expected).toBeGreaterThan(2000);
+      expect(missed).toBe(0);
+      expect(worst).toBeLessThan(0.001);
+    }
+  },
+);
 
-test('should cut the cubemap by the user’s clipping planes as the picture is cut', async ({
-  page,
-}) => {
-  const report = await runInPage<Awaited<ReturnType<typeof clipping>>>(
-    page,
-    '/e2e/harness/clipping.ts',
-    null,
-  );
-  expect(report.cut).toBeGreaterThan(1000);
-  expect(report.wrong).toBe(0);
-});
+testOnOnePage(
+  'should cut the cubemap by the user’s clipping planes as the picture is cut',
+  async ({ page }) => {
+    const report = await runInPage<Awaited<ReturnType<typeof clipping>>>(
+      page,
+      '/e2e/harness/clipping.ts',
+      null,
+    );
+    expect(report.cut).toBeGreaterThan(1000);
+    expect(report.wrong).toBe(0);
+  },
+);
 
 test.describe('a collider’s life', () => {
   for (const options of [
