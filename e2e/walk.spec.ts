@@ -1,6 +1,7 @@
 import type { CubeWalkerOptions } from '../bench/walk/CubeWalker.js';
 import type { WalkResult, WalkSettings } from '../bench/walk/Walk.js';
-import { expect, runInPage, test } from './support/test.js';
+import type stairs from './harness/stairs.js';
+import { expect, runInPage, test, testOnOnePage } from './support/test.js';
 
 type Settings = WalkSettings & CubeWalkerOptions;
 
@@ -38,5 +39,17 @@ for (const [title, settings] of Object.entries<Partial<Settings>>({
       expect(gap).toBeLessThan(0.025);
     }
     expect(result.rest.drift).toBeLessThan(1e-4);
+  });
+}
+
+for (const [rise, tread] of [
+  [0.25, 0.4],
+  [0.15, 0.31],
+]) {
+  testOnOnePage(`stairs of ${rise} by ${tread} m should never be stood at`, async ({ page }) => {
+    const settings = { rise, tread, climbs: 16 };
+    expect(
+      await runInPage<ReturnType<typeof stairs>>(page, '/e2e/harness/stairs.ts', settings),
+    ).toEqual([]);
   });
 }

@@ -17,10 +17,10 @@ import type { Texels } from './Texels.js';
 const LEAST_SLANT = 0.06;
 /** What of a surfel moves with its object. */
 const MOVING = 12;
-/** How far beyond its own border a texel's piece goes at most, in texels along each axis of the face: to the neighbour's middle. */
-const BEYOND = 0.5;
+/** How far beyond its own border a texel's piece goes at most, in texels along each axis of the face: to the neighbour's far border. */
+const BEYOND = 1;
 /** The same, from its ray: which may pass half a texel beside its middle. */
-const ASIDE = 1.5;
+const ASIDE = 2;
 /** A block lies in one plane for sure if its texels' normals are closer than this, and none lies farther off, metres. */
 const SAME_NORMAL = 0.999999;
 const SAME_PLANE = 2e-5;

@@ -6,6 +6,8 @@ import type { Texels } from './Texels.js';
 
 /** Planes whose texels agree on each other's distance to this part of it are one plane. */
 const COPLANAR = 1e-3;
+/** Cosine between normals below which they are two planes all the same: both rays fell beside the edge between them. */
+const ALIKE = 0.9;
 /** Farthest that a surfel is stretched to a crease, metres: at a slant, unrelated planes meet by chance. */
 const LONGEST_STRETCH = 0.15;
 /** Farthest that a surfel goes toward a silhouette, metres. */
@@ -26,7 +28,7 @@ export const CREASE = 2;
 export interface Extents {
   /**
    * For each side of each texel how far its surfel goes from the texel's middle that way, in texels; up to the
-   * neighbour's middle where both meet in a crease, which then cuts it.
+   * neighbour's ray, or its middle, where both meet in a crease, which then cuts it.
    */
   readonly reach: Float32Array;
   /** For each side how the surface goes on there: `APART`, `COPLANAR_LINK` or `CREASE`. */
@@ -61,9 +63,6 @@ export function findExtents(
   const rz = direction[k + 2]!;
   const column = i % resolution;
   const row = Math.floor(i / resolution) % resolution;
-  // Where the ray passes beside the texel's middle, in texels: drawn finer, it may. Found where it is asked for.
-  let offX = NaN;
-  let offY = NaN;
   for (let side = 0; side < SIDES; side++) {
     const j = table[s + side]!;
     // Two of a block meet each other alike.
@@ -76,22 +75,28 @@ export function findExtents(
       continue;
     }
     if (meets === CREASE) {
-      reach[s + side] = 1;
+      // Drawn finer, the neighbour's ray may lie beyond its middle, and the crease with it.
+      reach[s + side] = Math.max(1, outward(texels, j, i, side));
       continue;
     }
-    if (Number.isNaN(offX)) {
-      const { forward: f, right: r, up: u } = FACES[Math.floor(i / (resolution * resolution))]!;
-      const scale = (0.5 * resolution) / (rx * f[0] + ry * f[1] + rz * f[2]);
-      const middle = 0.5 * resolution - 0.5;
-      offX = scale * (rx * r[0] + ry * r[1] + rz * r[2]) + middle - column;
-      offY = scale * (rx * u[0] + ry * u[1] + rz * u[2]) + middle - row;
-    }
-    const outward = side === 0 ? offX : side === 1 ? -offX : side === 2 ? offY : -offY;
     const rise = up.x * normal[k]! + up.y * normal[k + 1]! + up.z * normal[k + 2]!;
     const seen = rise > STANDING && distance[j]! > di * BEHIND;
     const slant = rx * normal[k]! + ry * normal[k + 1]! + rz * normal[k + 2]!;
-    reach[s + side] = outward + (seen ? guess(di, slant, resolution) : 0);
+    reach[s + side] = outward(texels, i, i, side) + (seen ? guess(di, slant, resolution) : 0);
   }
+}
+
+/** How far toward `side` the ray of texel `j` passes the middle of texel `i`, on the face of that, in texels. */
+function outward({ direction, resolution }: Texels, j: number, i: number, side: number): number {
+  const { forward: f, right: r, up: u } = FACES[Math.floor(i / (resolution * resolution))]!;
+  const x = direction[3 * j]!;
+  const y = direction[3 * j + 1]!;
+  const z = direction[3 * j + 2]!;
+  const axis = side < 2 ? r : u;
+  const at = (x * axis[0] + y * axis[1] + z * axis[2]) / (x * f[0] + y * f[1] + z * f[2]);
+  const own = side < 2 ? i % resolution : Math.floor(i / resolution) % resolution;
+  const off = 0.5 * resolution * (at + 1) - 0.5 - own;
+  return side % 2 === 0 ? off : -off;
 }
 
 /** How the surfaces of texels `i` and `j`, side by side, go together. */
@@ -122,7 +127,8 @@ export function meeting(texels: Texels, i: number, j: number): number {
   const oj = dj * nj;
   if (
     Math.abs(oi - dj * inj) < COPLANAR * dj * Math.abs(inj) &&
-    Math.abs(oj - di * jni) < COPLANAR * di * Math.abs(jni)
+    Math.abs(oj - di * jni) < COPLANAR * di * Math.abs(jni) &&
+    nx * mx + ny * my + nz * mz > ALIKE
   ) {
     return COPLANAR_LINK;
   }

@@ -104,3 +104,21 @@ describe.each([
     }
   });
 });
+
+describe('stairs drawn four times finer, walked straight up', () => {
+  // Which ray of a texel is kept depends on where one stands: wherever that is, no edge may end in the air.
+  it.each([
+    [0.25, 0.4],
+    [0.17, 0.28],
+    [0.2, 0.35],
+  ])('should never be stopped at: %f by %f m', (rise, tread) => {
+    const world = new World(ground(), ...stairs(5, rise, tread));
+    const starts = SOAK ? 60 : 6;
+    for (let i = 0; i < starts; i++) {
+      const foot = [-0.7 - 0.8 * ((0.618 * i) % 1), 0.02, 0] as const;
+      const walker = new WorldWalker(world, { supersample: 4, foot, judged: false }).settle(0.1);
+      walker.walk(3).run(1.6 + (4 * tread) / 3);
+      expect(walker.foot.x, walker.story).toBeGreaterThan(5 * tread);
+    }
+  });
+});

@@ -10,6 +10,8 @@ export interface WorldColliderOptions {
   /** Frames (`tick`) from a draw to its field; 0 is 'sync'. */
   latency?: number;
   resolution?: number;
+  /** Draws so many times finer along each edge, and keeps the nearest of each block, as the real collider does. Default 1. */
+  supersample?: number;
   far?: number;
   autoFar?: boolean;
   /** Most reads on their way; `update` passes while there are as many, as the real collider does. */
@@ -38,6 +40,8 @@ export class WorldCollider implements CharacterCollider {
   readonly resolution: number;
   readonly inFlight: number;
 
+  /** Drawn into first, if finer. */
+  readonly #finer: SurfaceField | null;
   readonly #directions: Float32Array;
   readonly #pending: { field: SurfaceField; due: number }[] = [];
   readonly #published: SurfaceField[] = [];
@@ -58,6 +62,7 @@ export class WorldCollider implements CharacterCollider {
     {
       latency = 0,
       resolution = 32,
+      supersample = 1,
       far = 1.8,
       autoFar = true,
       inFlight = 2,
@@ -70,6 +75,7 @@ export class WorldCollider implements CharacterCollider {
     this.autoFar = autoFar;
     this.inFlight = inFlight;
     this.#directions = texelDirections(resolution);
+    this.#finer = supersample > 1 ? new SurfaceField(supersample * resolution, far) : null;
   }
 
   /** Begins a frame: what is due has come in meanwhile. */
@@ -83,11 +89,12 @@ export class WorldCollider implements CharacterCollider {
   update(): boolean {
     if (this.lost || this.#pending.length >= this.inFlight) return false;
     this.world.refresh();
-    const field = this.#free.pop() ?? new SurfaceField(this.resolution, this.far, this.#directions);
+    const field = this.#free.pop() ?? this.#newField();
     field.far = this.far;
     field.serial = ++this.draws;
     field.time = performance.now();
-    this.world.draw(field, this.position);
+    if (this.#finer === null) this.world.draw(field, this.position);
+    else this.#drawFiner(field, this.#finer);
     this.#remember();
     if (this.latency === 0) this.#publish(field);
     else this.#pending.push({ field, due: this.frames + this.latency });
@@ -132,6 +139,40 @@ export class WorldCollider implements CharacterCollider {
 
   include(object: Object3D): void {
     this.excluded.splice(this.excluded.indexOf(object), 1);
+  }
+
+  /** Finer ones have directions of their own. */
+  #newField(): SurfaceField {
+    const { resolution, far } = this;
+    if (this.#finer === null) return new SurfaceField(resolution, far, this.#directions);
+    return new SurfaceField(resolution, far, this.#directions.slice());
+  }
+
+  #drawFiner(field: SurfaceField, finer: SurfaceField): void {
+    finer.far = this.far;
+    this.world.draw(finer, this.position);
+    field.center.copy(this.position);
+    field.clearObjects();
+    finer.objects.forEach((object, i) => field.addObject(object, finer.rigid[i]!));
+    const { resolution: n } = this;
+    const times = finer.resolution / n;
+    for (let texel = 0; texel < field.count; texel++) {
+      const x = times * (texel % n);
+      const y = times * Math.floor(texel / n);
+      let best = -1;
+      for (let fine = 0; fine < times * times; fine++) {
+        const i = (y + Math.floor(fine / times)) * finer.resolution + x + (fine % times);
+        if (best < 0 || finer.distance[i]! < finer.distance[best]!) best = i;
+      }
+      field.distance[texel] = finer.distance[best]!;
+      field.front[texel] = finer.front[best]!;
+      field.object[texel] = finer.object[best]!;
+      field.instance[texel] = finer.instance[best]!;
+      for (let v = 0; v < 3; v++) {
+        field.normal[3 * texel + v] = finer.normal[3 * best + v]!;
+        field.direction[3 * texel + v] = finer.direction[3 * best + v]!;
+      }
+    }
   }
 
   #publish(field: SurfaceField): void {
