@@ -1,5 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import type { CharacterController } from 'three-cube-collider';
+import { points } from './support/examplePoints.js';
 import { expect, test } from './support/test.js';
 
 declare global {
@@ -37,6 +38,7 @@ for (const name of names) {
       { timeout: 60_000 },
     );
     await page.keyboard.up('KeyW');
+    await points[name]?.(page);
     expect(said).toEqual([]);
     if (process.env.EXAMPLE_PICTURES) {
       await page.setViewportSize({ width: 960, height: 540 });
