@@ -1,5 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import type { CharacterController } from 'three-cube-collider';
+import { points } from './support/examplePoints.js';
 import { expect, test } from './support/test.js';
 
 declare global {
@@ -37,10 +38,11 @@ for (const name of names) {
       { timeout: 60_000 },
     );
     await page.keyboard.up('KeyW');
-    expect(said).toEqual([]);
     if (process.env.EXAMPLE_PICTURES) {
       await page.setViewportSize({ width: 960, height: 540 });
       await page.screenshot({ path: `${process.env.EXAMPLE_PICTURES}/${name}.png` });
     }
+    await points[name]?.(page);
+    expect(said).toEqual([]);
   });
 }

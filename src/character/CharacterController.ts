@@ -169,6 +169,11 @@ export class CharacterController<R = unknown, S = unknown>
     return this.#state.velocity;
   }
 
+  /** What `walk` asked for last, m/s, world axes, whatever stops it on its way: for who wants to push that. */
+  get wish(): Readonly<Vector3> {
+    return this.#state.walk;
+  }
+
   /** Unit vector, world axes. */
   get up(): Readonly<Vector3> {
     return this.#state.up;

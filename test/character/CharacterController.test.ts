@@ -99,6 +99,16 @@ describe('CharacterController, moved', () => {
     expect(character.position.z).toBeCloseTo(0.15, 6);
   });
 
+  it('should tell its wish, level, whether or not it gets anywhere', () => {
+    const collider = new AnalyticCollider(floor(), { output: 'surface', latency: 1000 });
+    const character = new CharacterController(collider, { response: new AxisResponse() });
+    expect(character.wish.toArray()).toEqual([0, 0, 0]);
+    character.walk(new Vector3(3, 5, -1));
+    for (let i = 0; i < 10; i++) character.update({}, {}, 1 / 60);
+    expect(character.velocity.length()).toBe(0);
+    expect(character.wish.toArray()).toEqual([3, 0, -1]);
+  });
+
   it('should fly by move without gravity', () => {
     const { character } = standing({ gravity: 0 });
     for (let i = 0; i < 60; i++) {

@@ -1,0 +1,94 @@
+import type { RigidBody } from '@dimforge/rapier3d-compat';
+import type { Page } from '@playwright/test';
+import type { Mesh, Object3D } from 'three';
+
+declare global {
+  interface Window {
+    bodies: Map<Mesh, RigidBody>;
+    creatures: { object: Object3D }[];
+    lift: Mesh;
+  }
+}
+
+const LONG = { timeout: 60_000 };
+
+/** What an example is there to show, where walking alone does not tell. */
+export const points: Record<string, (page: Page) => Promise<void>> = {
+  /** The lift takes the character along. */
+  'from-octree': async (page) => {
+    await page.evaluate(() => {
+      const place = window.lift.position.clone();
+      place.y += 0.3;
+      window.character.teleport(place);
+    });
+    await page.waitForFunction(() => window.character.ground?.object === window.lift, null, LONG);
+    const from = await page.evaluate(() => window.character.position.y);
+    await page.waitForFunction(
+      (from) =>
+        Math.abs(window.character.position.y - from) > 0.5 &&
+        window.character.ground?.object === window.lift,
+      from,
+      LONG,
+    );
+  },
+
+  /** A walker pushes the character out of its way, a swimmer carries it on its back. */
+  'skinned-creatures': async (page) => {
+    const from = await page.evaluate(() => {
+      // Ahead on its round about (0, 0, 2).
+      const place = window.creatures[0]!.object.position.clone();
+      place.z -= 2;
+      place.applyAxisAngle(window.character.up, -0.8);
+      place.z += 2;
+      window.character.teleport(place.setY(0.1));
+      return window.character.position.toArray();
+    });
+    await page.waitForFunction(
+      ([x, , z]) =>
+        Math.hypot(window.character.position.x - x!, window.character.position.z - z!) > 0.2,
+      from,
+      LONG,
+    );
+    await page.evaluate(() => {
+      const { object } = window.creatures.at(-1)!;
+      const place = object.localToWorld(window.character.position.clone().set(0, 1.35, -0.3));
+      window.character.teleport(place.setY(2));
+    });
+    await page.waitForFunction(
+      () => (window.character.ground?.object as Mesh | null)?.type === 'SkinnedMesh',
+      null,
+      LONG,
+    );
+    const start = await page.evaluate(() => window.character.position.toArray());
+    await page.waitForFunction(
+      ([x, , z]) =>
+        Math.hypot(window.character.position.x - x!, window.character.position.z - z!) > 0.2 &&
+        (window.character.ground?.object as Mesh | null)?.type === 'SkinnedMesh',
+      start,
+      LONG,
+    );
+  },
+
+  /** A ball stops the character, which pushes it along. */
+  'beside-rapier': async (page) => {
+    const from = await page.evaluate(() => {
+      const body = [...window.bodies.values()][1]!;
+      const { x, y, z } = window.character.position;
+      body.setTranslation({ x, y: y + 0.5, z: z - 1 }, true);
+      body.setLinvel({ x: 0, y: 0, z: 0 }, true);
+      return z - 1;
+    });
+    await page.keyboard.down('KeyW');
+    const gap = await page.waitForFunction(
+      (from) => {
+        const [mesh, body] = [...window.bodies][1]!;
+        if (body.translation().z > from - 0.5) return 0;
+        return mesh.position.distanceTo(window.character.position);
+      },
+      from,
+      LONG,
+    );
+    await page.keyboard.up('KeyW');
+    if (Number(await gap.jsonValue()) < 0.7) throw new Error('The ball is in the character.');
+  },
+};
