@@ -7,6 +7,9 @@ const port = process.env.E2E_PORT ? Number(process.env.E2E_PORT) : undefined;
 
 const { THREE_VERSION, THREE_FOLDER } = process.env;
 
+/** The part of drei that needs no three. */
+const DREI = '@react-three/drei/web';
+
 /**
  * `THREE_VERSION=oldest`: `three` and `three/…` mean the oldest three that package.json allows; `THREE_FOLDER`: the three
  * that lies there (scripts/three.mjs).
@@ -34,8 +37,13 @@ export default defineConfig({
       { find: /^iwer$/, replacement: 'iwer/build/iwer.module.js' },
     ],
   },
-  // Pre-bundling could find one more dependency in mid-test and reload the page. three and its addons are ES
-  // modules and need none; served as they are, there is one copy of three, whoever imports it.
-  optimizeDeps: { noDiscovery: true, include: [] },
+  // Pre-bundling could find one more dependency in mid-test and reload the page: it is done for those named alone, for
+  // React is CommonJS. three and its addons are ES modules; served as they are, there is one copy, whoever imports it.
+  cacheDir: here('../.cache/vite'),
+  optimizeDeps: {
+    noDiscovery: true,
+    include: ['react', 'react-dom/client', '@react-three/fiber', `${DREI}/KeyboardControls`],
+    exclude: ['three'],
+  },
   server: { port, strictPort: true, hmr: false, watch: null },
 });

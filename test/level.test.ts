@@ -1,5 +1,5 @@
 import { execFile } from 'node:child_process';
-import { mkdtemp, readFile, rm } from 'node:fs/promises';
+import { mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
@@ -15,8 +15,13 @@ describe('the level', () => {
       try {
         const file = join(folder, 'level.glb');
         await promisify(execFile)(process.execPath, ['scripts/level/build.mjs', file]);
+        const tiles = await readdir('public/examples/tiles');
+        expect(tiles.length).toBe(33);
         const names = ['level', 'examples/maze', 'examples/tower', 'examples/valley'];
-        for (const name of names.map((each) => `${each}.glb`)) {
+        for (const name of [
+          ...names.map((each) => `${each}.glb`),
+          ...tiles.map((each) => `examples/tiles/${each}`),
+        ]) {
           const [made, kept] = await Promise.all(
             [join(folder, name), join('public', name)].map((path) => readFile(path)),
           );

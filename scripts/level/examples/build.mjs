@@ -1,4 +1,4 @@
-// `npm run build:level` writes public/examples/*.glb too, the same bytes on every run.
+// `npm run build:level` writes public/examples too, the same bytes on every run.
 
 import { mkdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -9,6 +9,7 @@ import { MeshoptEncoder } from 'meshoptimizer';
 import { bakeVertices, occluders } from '../occlusion.mjs';
 import { writeLevel } from '../write.mjs';
 import { maze } from './maze.mjs';
+import { buildTiles } from './tiles.mjs';
 import { tower } from './tower.mjs';
 import { valley } from './valley.mjs';
 
@@ -38,4 +39,5 @@ export async function buildExamples(folder) {
     await writeFile(join(folder, `${name}.glb`), bytes);
     console.log(`${name}.glb: ${(bytes.length / 1e3).toFixed(0)} kB`);
   }
+  console.log(`tiles: ${((await buildTiles(join(folder, 'tiles'))) / 1e3).toFixed(0)} kB`);
 }
