@@ -1,7 +1,9 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type UserConfig } from 'vite';
 import { contentPolicy } from './scripts/demo/contentPolicy.mjs';
+import { decoders } from './scripts/demo/decoders.mjs';
 import { offline } from './scripts/demo/offline.mjs';
+import { rapierWasm } from './scripts/demo/rapierWasm.mjs';
 import { shortShaders } from './scripts/build/glsl.mjs';
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
@@ -14,12 +16,7 @@ export const alias = {
   'three-cube-collider': here('src/index.ts'),
 };
 
-/** Rapier alone, so that the demo and its page that measures write, and visitors load, one and the same file. */
-const output = {
-  codeSplitting: { groups: [{ name: 'rapier', test: /rapier3d-compat/ }] },
-};
-
-/** `vite`, `vite build`: the demo. */
+/** `vite`, `vite build`: the demo, and its page that measures; what they share is one file. */
 const demo: UserConfig = {
   root: here('demo'),
   publicDir: here('public'),
@@ -27,27 +24,25 @@ const demo: UserConfig = {
   appType: 'mpa', // a missing level is an error, not the page itself
   resolve: { alias },
   server: { fs: { allow: [here('.')] } },
-  plugins: [contentPolicy(), offline()],
+  plugins: [contentPolicy(), decoders(), rapierWasm(), offline()],
   build: {
     outDir: here('dist-demo'),
     emptyOutDir: true,
-    chunkSizeWarningLimit: 6000, // Rapier
-    rolldownOptions: { output },
-  },
-};
-
-/**
- * `vite build --mode bench`: the demo's page that measures. On its own, beside the demo: the demo's chunks would get
- * what only the rivals use of three.
- */
-const bench: UserConfig = {
-  ...demo,
-  plugins: [contentPolicy()],
-  build: {
-    ...demo.build,
-    emptyOutDir: false,
-    copyPublicDir: false,
-    rolldownOptions: { input: here('demo/bench.html'), output },
+    chunkSizeWarningLimit: 1000, // three
+    rolldownOptions: {
+      input: [here('demo/index.html'), here('demo/bench.html')],
+      output: {
+        codeSplitting: {
+          groups: [
+            // The highest first: a group takes along what its modules import.
+            { name: 'three', test: /three\/build\/three\.(core|module)/, priority: 1 },
+            { name: 'three.webgpu', test: /three\/build\/three\.(webgpu|tsl)/ },
+            { name: 'rapier', test: /rapier3d-compat/ },
+            { name: 'three-mesh-bvh', test: /three-mesh-bvh/ },
+          ],
+        },
+      },
+    },
   },
 };
 
@@ -93,6 +88,6 @@ const webgpu: UserConfig = {
   },
 };
 
-const MODES: Record<string, UserConfig> = { bench, lib: library, 'lib-webgpu': webgpu };
+const MODES: Record<string, UserConfig> = { lib: library, 'lib-webgpu': webgpu };
 
 export default defineConfig(({ mode }) => MODES[mode] ?? demo);

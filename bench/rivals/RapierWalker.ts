@@ -99,7 +99,10 @@ let loaded: Promise<void> | null = null;
 
 /** Its WebAssembly, loaded once, so that no walker's preparation counts it. */
 export function ready(): Promise<void> {
-  return (loaded ??= RAPIER.init());
+  return (loaded ??= RAPIER.init().catch((error: unknown) => {
+    loaded = null; // to be tried again
+    throw error;
+  }));
 }
 
 function at(_: unknown, i: number): number {

@@ -4,7 +4,10 @@ let memory: Promise<WebAssembly.Memory | null> | null = null;
 
 /** Rapier's WebAssembly, loaded; and its memory, or null where another has loaded it before. */
 export function rapierMemory(): Promise<WebAssembly.Memory | null> {
-  return (memory ??= loadRapier());
+  return (memory ??= loadRapier().catch((error: unknown) => {
+    memory = null; // to be tried again
+    throw error;
+  }));
 }
 
 async function loadRapier(): Promise<WebAssembly.Memory | null> {

@@ -16,7 +16,8 @@ let ktx2: Promise<KTX2Loader> | null = null;
  * Gives a loader what a file is compressed with: the decoders come from this page's own origin, when they are needed.
  *
  * Under a content security policy they ask for `script-src 'wasm-unsafe-eval'`, `worker-src blob:` and
- * `connect-src 'self' blob: data:`; KTX2's transcoder for 'unsafe-eval' too, as Embind makes functions of text.
+ * `connect-src 'self' blob: data:`; KTX2's transcoder as three ships it for 'unsafe-eval' too, as Embind makes functions of
+ * text, which the build mends (scripts/demo/decoders.mjs).
  */
 export async function addDecoders(
   loader: GLTFLoader,

@@ -25,6 +25,8 @@ export function disposeOf(root: Object3D): void {
   });
   for (const texture of textures) {
     texture.dispose();
+    // The material of three's shadows still holds the last map that it drew with, and would upload it again.
+    texture.version = 0;
     const picture: unknown = texture.source.data;
     if (typeof ImageBitmap !== 'undefined' && picture instanceof ImageBitmap) picture.close();
   }

@@ -5,7 +5,7 @@ export const EXAMPLES = [
   { name: 'Plaza', about: 'this demo’s own, with its hall', url: DEFAULT_LEVEL },
   { name: 'Maze', about: 'hedges, and a way out', url: example('maze') },
   { name: 'Tower', about: 'a stair winds up to its top', url: example('tower') },
-  { name: 'Valley', about: 'hills, compressed by meshopt', url: example('valley') },
+  { name: 'Valley', about: 'hills, firs and rocks', url: example('valley') },
 ] as const;
 
 function example(name: string): string {

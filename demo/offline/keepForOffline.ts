@@ -4,5 +4,9 @@ export function keepForOffline(): void {
   window.addEventListener('load', () => {
     // Refused, as in some private windows: the page works without.
     navigator.serviceWorker.register(`${import.meta.env.BASE_URL}sw.js`).catch(console.warn);
+    // What was asked for before it listened: another renderer, another level.
+    void navigator.serviceWorker.ready.then(({ active }) => {
+      active?.postMessage(performance.getEntriesByType('resource').map(({ name }) => name));
+    });
   });
 }

@@ -30,10 +30,7 @@ export async function createRendering(
       },
     };
   }
-  const [{ WebGPURenderer }, gpu] = await Promise.all([
-    import('three/webgpu'),
-    import('three-cube-collider/webgpu'),
-  ]);
+  const { WebGPURenderer, CubeCollider: GpuCollider } = await import('./webgpuNames.js');
   const made = new WebGPURenderer({ ...parameters, forceWebGL: backend === 'fallback' } as never);
   await made.init();
   const { isWebGPUBackend = false } = made.backend as { isWebGPUBackend?: boolean };
@@ -45,7 +42,7 @@ export async function createRendering(
     backend,
     renderer,
     collider: (options) =>
-      new gpu.CubeCollider({ ...options, readback: 'async' }) as unknown as CubeCollider,
+      new GpuCollider({ ...options, readback: 'async' }) as unknown as CubeCollider,
     see: async (collider, scene) => {
       await collider.updateAsync(renderer, scene);
     },

@@ -5,13 +5,13 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 
 /**
- * What browsers fetch on their own, or never; and what a visitor may never ask for, which is kept once it was: rivals,
- * the other renderer, decoders, other levels.
+ * What browsers fetch on their own, or never; and what is large, and a visitor may never ask for, which is kept once it
+ * was: Rapier, the other renderer, decoders, other levels.
  */
-const LEFT_OUT = /^icon-|\.map$|^examples\/|rapier|MeshBVH|webgpu|draco|basis|KTX2/i;
+const LEFT_OUT = /^icon-|\.map$|^examples\/|rapier|webgpu|draco|basis|KTX2/i;
 
 /**
- * Writes `sw.js` beside the page, a service worker that keeps every file of the build and of the public folder.
+ * Writes `sw.js` beside the page, a service worker that keeps what the page leads to and the public folder.
  *
  * @returns {import('vite').Plugin}
  */
@@ -26,18 +26,16 @@ export function offline() {
     },
     generateBundle(_, bundle) {
       /** @type {[string, string | Uint8Array][]} */
-      const files = Object.values(bundle).map((file) => [
+      const kept = reachedFrom('index.html', bundle).map((file) => [
         file.fileName,
         file.type === 'chunk' ? file.code : file.source,
       ]);
       for (const entry of readdirSync(publicDir, { recursive: true, withFileTypes: true })) {
-        if (!entry.isFile()) continue;
         const path = join(entry.parentPath, entry.name);
-        files.push([relative(publicDir, path).replaceAll('\\', '/'), readFileSync(path)]);
+        const name = relative(publicDir, path).replaceAll('\\', '/');
+        if (entry.isFile() && !LEFT_OUT.test(name)) kept.push([name, readFileSync(path)]);
       }
-      const kept = files
-        .filter(([name]) => !LEFT_OUT.test(name))
-        .sort(([a], [b]) => (a < b ? -1 : 1));
+      kept.sort(([a], [b]) => (a < b ? -1 : 1));
       const hash = createHash('sha256');
       for (const [name, content] of kept) hash.update(name).update(content);
       const worker = readFileSync(new URL('./serviceWorker.js', import.meta.url), 'utf8')
@@ -47,4 +45,27 @@ export function offline() {
       this.emitFile({ type: 'asset', fileName: 'sw.js', source: worker });
     },
   };
+}
+
+/**
+ * A page, and what it or its scripts may load: scripts at once or later, styles, fonts.
+ *
+ * @param {string} page
+ * @param {import('vite').Rolldown.OutputBundle} bundle
+ */
+function reachedFrom(page, bundle) {
+  const reached = new Set([bundle[page]]);
+  /** @param {string} name */
+  const follow = (name) => {
+    const file = bundle[name];
+    if (!file || reached.has(file) || LEFT_OUT.test(name)) return;
+    reached.add(file);
+    if (file.type !== 'chunk') return;
+    const { importedCss = [], importedAssets = [] } = file.viteMetadata ?? {};
+    for (const next of [...file.imports, ...file.dynamicImports, ...importedCss, ...importedAssets])
+      follow(next);
+  };
+  for (const file of Object.values(bundle))
+    if (file.type === 'chunk' && file.facadeModuleId?.endsWith(`/${page}`)) follow(file.fileName);
+  return [...reached];
 }

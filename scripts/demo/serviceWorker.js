@@ -3,7 +3,7 @@
 
 const NAME = 'three-cube-collider ';
 const KEPT = NAME + PRECACHE_VERSION;
-/** What was visited besides: the page that measures. */
+/** What was asked for besides: rivals, decoders, levels, the page that measures. */
 const VISITED = NAME + 'visited';
 
 self.addEventListener('install', (event) => {
@@ -33,6 +33,19 @@ self.addEventListener('fetch', (event) => {
   if (request.method !== 'GET' || !url.href.startsWith(self.registration.scope)) return;
   event.respondWith(answer(request, url));
 });
+
+// What the page asked for before this worker answered.
+self.addEventListener('message', (event) => {
+  event.waitUntil(Promise.all(event.data.map(keep)));
+});
+
+async function keep(address) {
+  const url = new URL(address);
+  url.search = '';
+  if (!url.href.startsWith(self.registration.scope) || (await caches.match(url))) return;
+  // A file that is not there, or a network gone meanwhile, is no fault of this worker.
+  await (await caches.open(VISITED)).add(url).catch(() => undefined);
+}
 
 async function answer(request, url) {
   // A folder is its page, and the page is one whatever is asked of it.

@@ -20,8 +20,8 @@ bakeVertices(shapes, blocked, { skip: ['ground', 'pit', 'surroundings'] });
 const floor = bakeFloor(blocked, { size: FLOOR_TEXELS, width: FLOOR_MAP });
 const bytes = await writeLevel({
   shapes,
-  textures: textures(),
-  occlusion: occlusionTexture(floor, FLOOR_TEXELS),
+  textures: await textures(),
+  occlusion: await occlusionTexture(floor, FLOOR_TEXELS),
   spawn: SPAWN,
 });
 

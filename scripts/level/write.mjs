@@ -1,25 +1,30 @@
 // Shapes to a GLB file, by the glTF writer.
 
-import { Document, NodeIO } from '@gltf-transform/core';
+import { Document, NodeIO, VertexLayout } from '@gltf-transform/core';
+import { EXTTextureWebP, KHRMeshQuantization } from '@gltf-transform/extensions';
 import { MATERIALS, linear } from './palette.mjs';
 import { HALF } from './parts/ground.mjs';
 import { quarters } from './quarters.mjs';
+import { regroup } from './regroup.mjs';
 
 /** Width of the square that the floor's occlusion map covers, metres, about the middle. */
 export const FLOOR_MAP = 2 * (HALF + 0.5);
 
-/** Joins the vertices of a part that are equal in everything: box faces cut in cells share most of theirs. */
-function weld({ positions, normals, uvs, colors, indices }) {
+/**
+ * Joins the vertices of a part that are equal in everything that is written: box faces cut in cells share most of theirs.
+ */
+function weld({ positions, normals, uvs, colors, indices }, textured) {
   const seen = new Map();
   const joined = { positions: [], normals: [], uvs: [], colors: [], indices: [] };
   // Adding zero turns a negative zero into a plain one.
+  const fixed = (value) => value.toFixed(5);
   const three = (list, i) => [0, 1, 2].map((k) => Math.fround(list[i * 3 + k]) + 0);
   joined.indices = indices.map((i) => {
     const position = three(positions, i);
     const normal = three(normals, i);
     const uv = [0, 1].map((k) => Math.fround(uvs[i * 2 + k]) + 0);
     const color = three(colors, i).map((value) => Math.round(value * 255));
-    const key = [...position, ...normal, ...uv.map((value) => value.toFixed(5)), ...color].join();
+    const key = [...position, ...normal, ...color, ...(textured ? uv.map(fixed) : [])].join();
     let index = seen.get(key);
     if (index === undefined) {
       index = seen.size;
@@ -36,8 +41,8 @@ function weld({ positions, normals, uvs, colors, indices }) {
 
 /**
  * `spawn`: the foot of the start, looking toward -Z; without one whoever loads it finds a start. Materials whose texture is
- * not among `textures` have their colour alone. `compress(document)` returns who can write what it made of it. Returns
- * the file's bytes.
+ * not among `textures` have their colour alone. `compress(document)` returns who can write what it made of it; without
+ * one, three's loader needs nothing else to read the file. Returns its bytes.
  */
 export async function writeLevel({ shapes, textures, occlusion, spawn, compress }) {
   const document = new Document();
@@ -50,7 +55,7 @@ export async function writeLevel({ shapes, textures, occlusion, spawn, compress 
   const pictures = new Map();
   const picture = (name, image) => {
     if (!pictures.has(name))
-      pictures.set(name, document.createTexture(name).setMimeType('image/png').setImage(image));
+      pictures.set(name, document.createTexture(name).setMimeType('image/webp').setImage(image));
     return pictures.get(name);
   };
   const materials = new Map();
@@ -74,10 +79,20 @@ export async function writeLevel({ shapes, textures, occlusion, spawn, compress 
   const accessor = (type, array) =>
     document.createAccessor().setBuffer(buffer).setType(type).setArray(array);
 
+  /** A byte a component: within half a degree, and exact along the axes. */
+  const normal = (array) =>
+    compress
+      ? accessor('VEC3', Float32Array.from(array)) // which does that itself
+      : accessor(
+          'VEC3',
+          Int8Array.from(array, (value) => Math.round(value * 127)),
+        ).setNormalized(true);
+
   const node = (title, parts) => {
     const mesh = document.createMesh(title);
     for (const [name, part] of parts) {
-      const { positions, normals, uvs, colors, indices } = weld(part);
+      const textured = textures[MATERIALS[name].texture] !== undefined;
+      const { positions, normals, uvs, colors, indices } = weld(part, textured);
       const count = positions.length / 3;
       const Indices = count > 65535 ? Uint32Array : Uint16Array;
       const primitive = document
@@ -85,9 +100,8 @@ export async function writeLevel({ shapes, textures, occlusion, spawn, compress 
         .setMaterial(material(name))
         .setIndices(accessor('SCALAR', Indices.from(indices)))
         .setAttribute('POSITION', accessor('VEC3', Float32Array.from(positions)))
-        .setAttribute('NORMAL', accessor('VEC3', Float32Array.from(normals)));
-      if (textures[MATERIALS[name].texture])
-        primitive.setAttribute('TEXCOORD_0', accessor('VEC2', Float32Array.from(uvs)));
+        .setAttribute('NORMAL', normal(normals));
+      if (textured) primitive.setAttribute('TEXCOORD_0', accessor('VEC2', Float32Array.from(uvs)));
       primitive.setAttribute(
         'COLOR_0',
         accessor('VEC4', Uint8Array.from(colors)).setNormalized(true),
@@ -113,6 +127,11 @@ export async function writeLevel({ shapes, textures, occlusion, spawn, compress 
     }
   }
   if (spawn) scene.addChild(document.createNode('spawn').setTranslation(spawn));
-  const io = compress ? await compress(document) : new NodeIO();
-  return io.writeBinary(document);
+  if (compress) return (await compress(document)).writeBinary(document);
+  document.createExtension(KHRMeshQuantization).setRequired(true);
+  if (pictures.size > 0) document.createExtension(EXTTextureWebP).setRequired(true);
+  const io = new NodeIO()
+    .registerExtensions([EXTTextureWebP, KHRMeshQuantization])
+    .setVertexLayout(VertexLayout.SEPARATE);
+  return regroup(await io.writeBinary(document));
 }

@@ -1,10 +1,12 @@
 import { NodeIO, type Node } from '@gltf-transform/core';
+import { EXTTextureWebP, KHRMeshQuantization } from '@gltf-transform/extensions';
 import { BufferAttribute, BufferGeometry, Group, Matrix4, Mesh } from 'three';
 import { collectTriangles } from '../../demo/level/triangles.js';
 
 /** The triangles of a GLB file, without pictures, materials and skins. */
 export async function soupOf(path: string): Promise<Float32Array> {
-  const document = await new NodeIO().read(path);
+  const io = new NodeIO().registerExtensions([EXTTextureWebP, KHRMeshQuantization]);
+  const document = await io.read(path);
   const root = new Group();
   document
     .getRoot()

@@ -13,7 +13,7 @@ import { buildTiles } from './tiles.mjs';
 import { tower } from './tower.mjs';
 import { valley } from './valley.mjs';
 
-/** Levels to try in the demo: small, without pictures, shaded by what is baked into their vertices. */
+/** Levels to try in the demo: small, without pictures, shaded by what is baked into their vertices, compressed by meshopt. */
 const EXAMPLES = { maze, tower, valley };
 
 async function compress(document) {
@@ -28,14 +28,9 @@ async function compress(document) {
 export async function buildExamples(folder) {
   await mkdir(folder, { recursive: true });
   for (const [name, make] of Object.entries(EXAMPLES)) {
-    const { shapes, spawn, compressed } = make();
+    const { shapes, spawn } = make();
     bakeVertices(shapes, occluders(shapes), { rays: 24, skip: ['terrain'] });
-    const bytes = await writeLevel({
-      shapes,
-      textures: {},
-      spawn,
-      compress: compressed && compress,
-    });
+    const bytes = await writeLevel({ shapes, textures: {}, spawn, compress });
     await writeFile(join(folder, `${name}.glb`), bytes);
     console.log(`${name}.glb: ${(bytes.length / 1e3).toFixed(0)} kB`);
   }

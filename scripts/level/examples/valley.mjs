@@ -100,5 +100,5 @@ export function valley() {
         );
     }
   }
-  return { shapes: [terrain, firs, rocks], compressed: true };
+  return { shapes: [terrain, firs, rocks] };
 }
