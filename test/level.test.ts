@@ -50,6 +50,7 @@ describe('the level', () => {
         'pole-10mm',
         'terrain',
         'pit',
+        'footbridge',
         'tower',
       ]),
     );

@@ -1,6 +1,7 @@
 // The pictures: tileable, 2 m by 2 m each, painted with a little light and shade so that joints and planks stand out.
 
 import { encode as encodePng } from 'fast-png';
+import { paintGuide } from './guide.mjs';
 import { fbm, hash, noise } from './noise.mjs';
 import { MATERIALS } from './palette.mjs';
 import { paintSigns } from './signs.mjs';
@@ -220,6 +221,7 @@ export function textures() {
     shaft,
     rosette,
     sign: () => paintSigns(families),
+    guide: () => paintGuide(families),
   };
   return Object.fromEntries(
     Object.entries(painted).map(([name, paint]) => [name, encode(paint())]),
