@@ -9,7 +9,7 @@ const POSTS = [
   ['start-north', 'start-south', 1.75, -2.2, 0],
   ['pit-south', 'pit-north', -2.4, 12.2, 2],
   ['east-south', 'east-north', 15.2, 15.4, 2],
-  ['west-north', 'west-south', -16, -3, 0],
+  ['west-north', 'west-south', -17, -4.6, 0],
 ];
 
 /** Boards of 1.6 × 1.2 m at the forks, printed on both sides. */
