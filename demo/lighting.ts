@@ -57,8 +57,8 @@ export function addLighting(scene: Scene, renderer: WebGLRenderer): Lighting {
   const sun = new DirectionalLight(SUN_COLOR, 3.2);
   sun.castShadow = true;
   sun.shadow.mapSize.set(texels, texels);
-  sun.shadow.radius = 1.6;
-  sun.shadow.normalBias = 0.03;
+  sun.shadow.radius = 2.6;
+  sun.shadow.normalBias = 0.05;
   sun.shadow.bias = -0.0004;
   const { camera } = sun.shadow;
   camera.left = camera.bottom = -SHADOW_REACH;

@@ -2,10 +2,13 @@ import type { Page } from '@playwright/test';
 import { expect, test } from './support/test.js';
 
 // The level's plan (scripts/level): the start looks along -Z; ahead lie eight steps of 0.06 m and a wall whose niche
-// ends at z = -13.7; behind, from z = 14 on, the pit. The character's radius is 0.35 m.
+// ends at z = -13.7; behind, from z = 14 to z = 18, the pit, and a footbridge along x = 0 over it. The character's radius is 0.35 m.
 const STAGE_HEIGHT = 0.48;
 const STAGE_WALL = -13.7;
 const PIT_EDGE = 14;
+const PIT_END = 18;
+/** East of the footbridge over the pit. */
+const BESIDE_BRIDGE = 1.4;
 const RADIUS = 0.35;
 /** What the body keeps to what it touches: 20 mm at rest. */
 const [LEAST_GAP, MOST_GAP] = [0.01, 0.025];
@@ -117,11 +120,14 @@ test.describe('walking', () => {
 
   test('falls into the pit and comes back at the start', async ({ page }) => {
     await open(page, 'ui=0');
-    // From just before its edge, backward.
-    await page.evaluate((z) => {
-      const { character, spawn } = window.demo;
-      character.teleport(spawn.clone().setZ(z));
-    }, PIT_EDGE - 1);
+    // From just before its edge, backward, beside the footbridge.
+    await page.evaluate(
+      ([x, z]) => {
+        const { character, spawn } = window.demo;
+        character.teleport(spawn.clone().setX(x!).setZ(z!));
+      },
+      [BESIDE_BRIDGE, PIT_EDGE - 1],
+    );
     await page.keyboard.down('KeyS');
     await expect.poll(async () => (await foot(page))[1], soon).toBeLessThan(-1);
     await page.keyboard.up('KeyS');
@@ -130,6 +136,25 @@ test.describe('walking', () => {
     const end = await whereItStops(page);
     end.forEach((value, i) => expect(Math.abs(value - spawn[i]!)).toBeLessThan(0.05));
     expect(await page.evaluate(() => window.demo.character.grounded)).toBe(true);
+  });
+
+  test('stays dry on the straight way to the hall', async ({ page }) => {
+    await open(page, 'ui=0');
+    const walked = await page.evaluate(async (z) => {
+      const { demo } = window;
+      demo.character.teleport(demo.spawn.clone().setZ(z));
+      await demo.step(6);
+      const south = demo.spawn.clone().set(0, 0, 3);
+      let lowest = Infinity;
+      for (let i = 0; i < 45; i++) {
+        demo.character.walk(south);
+        await demo.step(1, 0.05);
+        lowest = Math.min(lowest, demo.character.position.y);
+      }
+      return { lowest, end: demo.character.position.z };
+    }, PIT_EDGE - 1.5);
+    expect(walked.lowest).toBeGreaterThan(0);
+    expect(walked.end).toBeGreaterThan(PIT_END + 0.5);
   });
 
   test('goes on where it is with another collider', async ({ page }) => {

@@ -37,7 +37,7 @@ describe('the level', () => {
         await promisify(execFile)(process.execPath, ['scripts/level/build.mjs', file]);
         const [made, kept] = await Promise.all([file, 'public/level.glb'].map(apart));
         expect(Buffer.compare(made!.bare, kept!.bare)).toBe(0);
-        expect(made!.pictures.length).toBe(12);
+        expect(made!.pictures.length).toBe(13);
         for (const [i, picture] of made!.pictures.entries())
           expect(difference(picture, kept!.pictures[i]!)).toBeLessThan(1);
         const tiles = await readdir('public/examples/tiles');
@@ -79,6 +79,7 @@ describe('the level', () => {
         'pole-10mm',
         'terrain',
         'pit',
+        'footbridge',
         'tower',
       ]),
     );

@@ -26,13 +26,13 @@ const SIGNS: Sign[] = [
   { caption: 'BATCH', text: 'RUBBLE', family: 'terracotta', x: 3.2, z: 19.6 },
   { caption: 'OWN SHADER', text: 'WALL', family: 'plum', x: -2, z: 22.4 },
   {
-    caption: 'WHAT IS DRAWN',
-    text: 'IS SOLID',
+    caption: 'WHAT IS DRAWN IS SOLID',
+    text: 'HALL',
     family: 'teal',
     x: 0,
-    z: -0.15,
-    above: 2.9,
-    size: 1.9,
+    z: -0.3,
+    above: 2.62,
+    size: 3,
   },
 ];
 

@@ -9,7 +9,7 @@ import { advance, GLYPHS } from '../../scripts/level/glyphs.mjs';
 import { MATERIALS } from '../../scripts/level/palette.mjs';
 import { assemble, merge, type Materials, slab } from '../pieces.js';
 
-/** A plate on a post, or a plate alone, read by someone who looks south. */
+/** A plate on a post, or a plate alone, printed on both sides. */
 export interface Sign {
   caption: string;
   text: string;
@@ -19,15 +19,15 @@ export interface Sign {
   z: number;
   /** Of the plate's lower edge, metres; a plate without a post has one. */
   above?: number;
-  /** How many times as large as the level's own signs. */
+  /** How many times as large as the others. */
   size?: number;
 }
 
 /** Of the plates, metres; of their pictures, pixels. */
-const [WIDTH, HEIGHT] = [0.7, 0.35];
+const [WIDTH, HEIGHT] = [0.9, 0.45];
 const CELL = [512, 256] as const;
 const COLUMNS = 2;
-const [PAPER, INK, WHITE] = ['#f6ecd6', '#342e2a', '#fffaf0'];
+const [PAPER, INK] = ['#f6ecd6', '#342e2a'];
 
 /** All signs in one mesh, in the style of the level's. */
 export function createSigns(signs: readonly Sign[], material: Materials): Mesh {
@@ -44,7 +44,7 @@ export function createSigns(signs: readonly Sign[], material: Materials): Mesh {
   });
   const posts = signs
     .filter(({ above }) => above === undefined)
-    .map(({ x, z }) => slab(0.05, 1.3, 0.03, x, z + 0.03).translate(0, 1.3, 0));
+    .map(({ x, z }) => slab(0.05, 1.1, 0.02, x, z).translate(0, 1.1, 0));
   const picture = new CanvasTexture(canvas);
   picture.colorSpace = SRGBColorSpace;
   picture.anisotropy = 8;
@@ -55,7 +55,7 @@ export function createSigns(signs: readonly Sign[], material: Materials): Mesh {
   return mesh;
 }
 
-/** A thin box whose north face shows its cell of the picture; the rest a patch of its band. */
+/** A thin box whose north and south faces show its cell of the picture; the rest a patch of its band. */
 function createPlate(
   { x, z, above = 1.05, size = 1 }: Sign,
   u: number,
@@ -67,8 +67,8 @@ function createPlate(
   plate.translate(0, above + size * HEIGHT, 0);
   const { uv, normal } = plate.attributes;
   for (let i = 0; i < uv!.count; i++) {
-    // A box's face to -Z comes with its picture upright to who looks south.
-    if (normal!.getZ(i) < -0.5) {
+    // A box's faces come with their pictures upright to who looks at them.
+    if (Math.abs(normal!.getZ(i)) > 0.5) {
       const corner = i % 4;
       uv!.setXY(i, u + du * (corner % 2), v + dv * (corner < 2 ? 1 : 0));
     } else uv!.setXY(i, u + 0.02 * du, v + 0.98 * dv);
@@ -82,8 +82,8 @@ function paint(context: CanvasRenderingContext2D, sign: Sign, x: number, y: numb
   context.fillRect(x, y, width, height);
   context.fillStyle = PAPER;
   context.fillRect(x + 12, y + 84, width - 24, height - 96);
-  write(context, sign.caption, x + width / 2, y + 44, 42, 440, 9, WHITE);
-  write(context, sign.text, x + width / 2, y + 164, 84, 428, 15, INK);
+  write(context, sign.caption, x + width / 2, y + 44, 46, 452, 10, INK);
+  write(context, sign.text, x + width / 2, y + 164, 92, 440, 17, INK);
 }
 
 /** Text centred on (x, y), capitals `height` high, no wider than `width`. */
@@ -100,7 +100,7 @@ function write(
   const units = [...text].reduce((sum, letter) => sum + advance(letter), -2);
   const scale = Math.min(height / 6, width / units);
   context.strokeStyle = color;
-  context.lineWidth = weight;
+  context.lineWidth = Math.min(weight, 1.3 * scale);
   let left = x - (units * scale) / 2;
   for (const letter of text) {
     const lines: number[][][] = GLYPHS[letter as keyof typeof GLYPHS];

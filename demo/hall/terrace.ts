@@ -77,9 +77,11 @@ function createParapet(material: Materials): Object3D {
   const pillars = [-1, 1].map((side) => slab(0.6, 3.2, 0.6, side * (GATE + 0.3), north));
   const ball = [
     [0.16, 0],
-    [0.3, 0.16],
-    [0.3, 0.32],
-    [0.16, 0.5],
+    [0.26, 0.08],
+    [0.31, 0.22],
+    [0.29, 0.37],
+    [0.21, 0.48],
+    [0.1, 0.54],
     [0, 0.55],
   ].map(([x, y]) => new Vector2(x, y));
   return assemble('terrace walls', [
@@ -101,7 +103,7 @@ function createParapet(material: Materials): Object3D {
     ],
     [slab(2 * GATE + 1.7, 0.14, 0.9, 0, north).translate(0, 3.73, 0), material('tile')],
     [
-      merge(...corners.map(([x, z]) => new LatheGeometry(ball, 20).translate(x, 1.72, z))),
+      merge(...corners.map(([x, z]) => new LatheGeometry(ball, 24).translate(x, 1.72, z))),
       material('terracotta'),
     ],
   ]);
@@ -110,18 +112,23 @@ function createParapet(material: Materials): Object3D {
 /** Straight up from the plaza over its wall, between two slanting sides. */
 function createStair(material: Materials): Object3D {
   const end = 0.02;
-  const treads: BufferGeometry[] = [];
+  const steps: BufferGeometry[] = [];
   const edges: BufferGeometry[] = [];
-  const nose = 0.06;
+  /** Of the dark stripe along each step's edge: its depth, and its height on the riser. */
+  const [nose, drop] = [0.06, 0.05];
   for (let i = 0; i < STEPS; i++) {
     const front = -WALL - RUN * (STEPS - 1 - i);
     const back = i === STEPS - 1 ? end : front + RUN;
     const height = RISE * (i + 1);
     const top = height - TERRACE_HEIGHT;
-    const box = (from: number, to: number) =>
-      slab(STAIR, height + 0.1, to - from, 0, (from + to) / 2).translate(0, top, 0);
-    edges.push(box(front, front + nose));
-    treads.push(box(front + nose, back));
+    const box = (from: number, high: number) =>
+      slab(STAIR, high, back - from, 0, (from + back) / 2);
+    const edge = slab(STAIR, drop, nose, 0, front + nose / 2);
+    edges.push(edge.translate(0, top, 0));
+    steps.push(
+      box(front + nose, drop).translate(0, top, 0),
+      box(front, height + 0.1 - drop).translate(0, top - drop, 0),
+    );
   }
   const length = RUN * (STEPS - 1) + WALL;
   const sides = (wide: number, high: number, above: number) =>
@@ -132,8 +139,8 @@ function createStair(material: Materials): Object3D {
       }),
     );
   return assemble('terrace stair', [
-    [merge(...treads), material('slab')],
-    [merge(...edges), material('nosing')],
+    [merge(...steps), material('slab')],
+    [merge(...edges), material('dark')],
     // Down into the ground all along.
     [sides(0.3, TERRACE_HEIGHT + 1, 0.85), material('plaster')],
     [sides(0.42, 0.1, 0.93), material('tile')],

@@ -76,9 +76,10 @@ export class Shape {
    * Adds one convex, planar polygon. The first vertex must not lie on a line with the second and third, nor with the
    * last two: the polygon is cut into a fan from it.
    * `uvs` in repeats, else projected along the plane in metres; `normals` else the plane's; `tints` [r, g, b] 0 to 1;
-   * `grain` { axis, middle }: the texture's v runs along that axis, its first plank over the middle.
+   * `grain` { axis, middle }: the texture's v runs along that axis, its first plank over the middle. `round`: part of a
+   * round thing, whose corners look alike from every polygon that they belong to.
    */
-  polygon(materials, points, { normals, uvs, tints, grain } = {}) {
+  polygon(materials, points, { normals, uvs, tints, grain, round } = {}) {
     const { x, y, z } = this.frame;
     const world = points.map((p) => {
       const turned = this.#turn(p);
@@ -123,7 +124,7 @@ export class Shape {
         ...(uvs ? uvs[i] : [dot(q, uAxis) / TEXTURE_SIZE, dot(q, vAxis) / TEXTURE_SIZE]),
       );
       part.colors.push(...(tints?.[i] ?? [1, 1, 1]));
-      part.anchors.push(...middle);
+      part.anchors.push(...(round ? p : middle));
     });
     for (let i = 2; i < points.length; i++) part.indices.push(first, first + i - 1, first + i);
     return this;
@@ -229,12 +230,14 @@ export class Shape {
       const last = slopes[ring - 1];
       return !smooth || !next || !last ? slopes[piece] : [next[0] + last[0], next[1] + last[1]];
     };
+    const widest = Math.max(...profile.map(([r]) => r));
     let along = 0;
     for (let k = 0; k < slopes.length; k++) {
       const [r0, y0] = profile[k];
       const [r1, y1] = profile[k + 1];
       const length = Math.hypot(r1 - r0, y1 - y0);
-      const girth = (2 * Math.PI * Math.max(r0, r1)) / segments / TEXTURE_SIZE;
+      // What is smooth shares its vertices from ring to ring.
+      const girth = (2 * Math.PI * (smooth ? widest : Math.max(r0, r1))) / segments / TEXTURE_SIZE;
       for (let i = 0; i < segments; i++) {
         const ends = [
           [i, r0, y0, k],
@@ -246,6 +249,7 @@ export class Shape {
           materials,
           ends.map(([s, r, y]) => [around[s][0] * r, y, around[s][1] * r]),
           {
+            round: smooth,
             normals: facets
               ? undefined
               : ends.map(([s, , , ring]) => {

@@ -3,7 +3,8 @@
 import { Shape } from './Shape.mjs';
 import { bridge, railings, spiralStair } from './parts/bridge.mjs';
 import { flights, kerbs, ledge, pole, ramps, stage } from './parts/course.mjs';
-import { ground } from './parts/ground.mjs';
+import { PIT_RIM, ground } from './parts/ground.mjs';
+import { footbridge, signposts } from './parts/guide.mjs';
 import { arch, columns, corridor, doorway, lowCeiling } from './parts/passages.mjs';
 import { benches, outerWalls, surroundings, tower, trees } from './parts/scenery.mjs';
 import { sign } from './parts/sign.mjs';
@@ -28,6 +29,7 @@ export function level() {
     arch(signs),
     spiralStair(signs),
     ...bridge(),
+    footbridge(PIT_RIM),
     railings(),
     outerWalls(),
     tower(),
@@ -35,7 +37,8 @@ export function level() {
     benches(),
     surroundings(),
   ];
+  signposts(signs);
   sign(signs, 'pit', 3.2, 13.4, 2);
-  sign(signs, 'terrain', 5.2, 16.6, 2);
+  sign(signs, 'terrain', 7, 16.5, 2);
   return [...shapes, signs];
 }

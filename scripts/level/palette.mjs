@@ -23,6 +23,7 @@ export const MATERIALS = {
   dark: { texture: 'plaster', color: '#3a3532', roughness: 1 },
   shaft: { texture: 'shaft', color: '#ffffff', roughness: 1 },
   sign: { texture: 'sign', color: '#ffffff', roughness: 0.7 },
+  guide: { texture: 'guide', color: '#ffffff', roughness: 0.7 },
   teal: { texture: 'plaster', color: TEAL, roughness: 0.85 },
   terracotta: { texture: 'plaster', color: TERRACOTTA, roughness: 0.85 },
   ochre: { texture: 'plaster', color: OCHRE, roughness: 0.85 },

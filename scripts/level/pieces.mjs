@@ -77,10 +77,14 @@ export function flight(
 
 /**
  * A wall along X with round arches between its piers, `depth` thick about z = 0. `piers`: [from, to] pairs along x;
- * `spring`: the height where the round begins; `trim`: the material inside the arches. One closed solid.
+ * `spring`: the height where the round begins; `trim`: the material inside the arches, `segments` each. One closed solid.
  */
-export function arcade(shape, wall, trim, { piers, bottom = SUNK, spring, top, depth }) {
-  const segments = 14;
+export function arcade(
+  shape,
+  wall,
+  trim,
+  { piers, bottom = SUNK, spring, top, depth, segments = 14 },
+) {
   const [back, front] = [-depth / 2, depth / 2];
   const skirt = bottom + 0.4;
   const levels = [bottom, skirt, spring, top];

@@ -1,37 +1,38 @@
 // The signs: one picture that holds every plate.
 
-import { GLYPHS, advance, ring } from './glyphs.mjs';
+import { canvas } from './canvas.mjs';
+import { ring } from './glyphs.mjs';
 
 /** The cells of the picture, in repeats of its width: plates are twice as wide as high. */
 const ATLAS = 1024;
 const CELL = [256, 128];
 const COLUMNS = ATLAS / CELL[0];
 
-/** [caption, text, colour family] of every sign, by name. */
+/** [word, measure, colour family] of every sign, by name. */
 export const SIGNS = {
-  stage: ['STEPS', '0.06', 'sage'],
-  'steps-0.10': ['STEPS', '0.10', 'teal'],
-  'steps-0.20': ['STEPS', '0.20', 'teal'],
-  'steps-0.30': ['STEPS', '0.30', 'teal'],
-  'steps-0.40': ['STEPS', '0.40', 'teal'],
-  'steps-0.50': ['STEPS', '0.50', 'teal'],
+  stage: ['STEPS', '6 cm', 'sage'],
+  'steps-0.10': ['STEPS', '10 cm', 'teal'],
+  'steps-0.20': ['STEPS', '20 cm', 'teal'],
+  'steps-0.30': ['STEPS', '30 cm', 'teal'],
+  'steps-0.40': ['STEPS', '40 cm', 'teal'],
+  'steps-0.50': ['STEPS', '50 cm', 'teal'],
   'ramp-15': ['RAMP', '15°', 'terracotta'],
   'ramp-30': ['RAMP', '30°', 'terracotta'],
   'ramp-45': ['RAMP', '45°', 'terracotta'],
   'ramp-60': ['RAMP', '60°', 'terracotta'],
-  'kerb-0.05': ['KERB', '0.05', 'ochre'],
-  'kerb-0.08': ['KERB', '0.08', 'ochre'],
-  'kerb-0.12': ['KERB', '0.12', 'ochre'],
-  doorway: ['DOORWAY', '1.0×2.1', 'plum'],
-  corridor: ['CORRIDOR', '0.90', 'plum'],
-  'low-ceiling': ['CEILING', '1.50', 'plum'],
-  'spiral-stair': ['SPIRAL', '0.075', 'blue'],
+  'kerb-0.05': ['KERB', '5 cm', 'ochre'],
+  'kerb-0.08': ['KERB', '8 cm', 'ochre'],
+  'kerb-0.12': ['KERB', '12 cm', 'ochre'],
+  doorway: ['DOOR', '1.0×2.1 m', 'plum'],
+  corridor: ['CORRIDOR', '90 cm', 'plum'],
+  'low-ceiling': ['CROUCH', '1.5 m', 'plum'],
+  'spiral-stair': ['SPIRAL', 'UP 3 m', 'blue'],
   'pole-10mm': ['POLE', '10 mm', 'ochre'],
-  ledge: ['LEDGE', '1.00', 'terracotta'],
+  ledge: ['LEDGE', '1 m', 'terracotta'],
   pit: ['PIT', '12 m', 'dark'],
-  columns: ['COLUMNS', '0.60', 'blue'],
-  arch: ['ARCH', '2.60', 'blue'],
-  terrain: ['TERRAIN', '22×12', 'sage'],
+  columns: ['COLUMNS', '60 cm', 'blue'],
+  arch: ['ARCH', '2.6 m', 'blue'],
+  terrain: ['TERRAIN', 'UP TO 40°', 'sage'],
 };
 const names = Object.keys(SIGNS);
 /** Row from which the picture's lower part is free for the tower's clock, a square of two cells. */
@@ -61,69 +62,24 @@ export const clockUv = (x, y) => [
 /** A plain patch of plate, for the sides and backs. */
 export const BLANK_UV = [(CLOCK.x - 100) / ATLAS, (CLOCK.y + 200) / ATLAS];
 
-const segmentDistance = (x, y, [ax, ay], [bx, by]) => {
-  const [dx, dy] = [bx - ax, by - ay];
-  const t = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
-  return Math.hypot(x - ax - dx * t, y - ay - dy * t);
-};
-
 /** Paints the signs' picture; `colors` gives each family's [r, g, b], 0 to 255. */
 export function paintSigns(colors) {
-  const rgb = new Uint8Array(ATLAS * ATLAS * 3);
-  const put = (x, y, color, cover) => {
-    const at = (y * ATLAS + x) * 3;
-    for (let k = 0; k < 3; k++)
-      rgb[at + k] = Math.round(rgb[at + k] + (color[k] - rgb[at + k]) * cover);
-  };
   const [paper, ink, white] = [
     [246, 236, 214],
     [52, 46, 42],
     [255, 250, 240],
   ];
-  const fill = (x0, y0, w, h, color) => {
-    for (let y = y0; y < y0 + h; y++) for (let x = x0; x < x0 + w; x++) put(x, y, color, 1);
-  };
-  const stroke = (lines, weight, color) => {
-    for (const line of lines)
-      for (let i = 1; i < line.length; i++) {
-        const [a, b] = [line[i - 1], line[i]];
-        const pad = weight + 1;
-        for (let y = Math.floor(Math.min(a[1], b[1]) - pad); y <= Math.max(a[1], b[1]) + pad; y++)
-          for (
-            let x = Math.floor(Math.min(a[0], b[0]) - pad);
-            x <= Math.max(a[0], b[0]) + pad;
-            x++
-          ) {
-            const cover = Math.min(1, weight + 0.5 - segmentDistance(x + 0.5, y + 0.5, a, b));
-            if (cover > 0) put(x, y, color, cover);
-          }
-      }
-  };
-  /** Text centred on (cx, cy), capitals `height` high, no wider than `width`. */
-  const write = (text, cx, cy, height, width, weight, color) => {
-    const units = [...text].reduce((sum, c) => sum + advance(c), -2);
-    const scale = Math.min(height / 6, width / units);
-    let x = cx - (units * scale) / 2;
-    for (const c of text) {
-      if (!GLYPHS[c]) throw new Error(`the sign font has no "${c}"`);
-      stroke(
-        GLYPHS[c].map((line) => line.map(([gx, gy]) => [x + gx * scale, cy + (gy - 3) * scale])),
-        weight,
-        color,
-      );
-      x += advance(c) * scale;
-    }
-  };
-
-  fill(0, 0, ATLAS, ATLAS, paper);
+  const { fill, stroke, write, picture } = canvas(ATLAS, paper);
   names.forEach((name, i) => {
-    const [caption, text, family] = SIGNS[name];
+    const [word, measure, family] = SIGNS[name];
     const x = (i % COLUMNS) * CELL[0];
     const y = Math.floor(i / COLUMNS) * CELL[1];
+    const middle = x + CELL[0] / 2;
     fill(x, y, CELL[0], CELL[1], colors[family]);
-    fill(x + 6, y + 42, CELL[0] - 12, CELL[1] - 48, paper);
-    write(caption, x + CELL[0] / 2, y + 22, 21, 220, 2.2, white);
-    write(text, x + CELL[0] / 2, y + 82, 50, 214, 5.2, ink);
+    fill(x + 6, y + 70, CELL[0] - 12, CELL[1] - 76, paper);
+    const color = family === 'dark' ? white : ink;
+    write(word, middle, y + 37, { height: 42, width: 222, weight: 4.6, color });
+    write(measure, middle, y + 96, { height: 34, width: 222, weight: 3.6, color: ink });
   });
 
   const middle = [CLOCK.x + CLOCK.size / 2, CLOCK.y + CLOCK.size / 2];
@@ -136,5 +92,5 @@ export function paintSigns(colors) {
     stroke([[polar(hour / 12, 86), polar(hour / 12, 100)]], hour % 3 ? 2.5 : 5, ink);
   stroke([[polar(0.5 + 10.17 / 12, 14), polar(10.17 / 12, 52)]], 5, ink);
   stroke([[polar(0.5 + 10 / 60, 18), polar(10 / 60, 82)]], 3.5, ink);
-  return { size: ATLAS, channels: 3, pixels: rgb };
+  return picture;
 }

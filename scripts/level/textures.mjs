@@ -1,6 +1,7 @@
 // The pictures: tileable, 2 m by 2 m each, painted with a little light and shade so that joints and planks stand out.
 
 import sharp from 'sharp';
+import { paintGuide } from './guide.mjs';
 import { fbm, hash, noise } from './noise.mjs';
 import { MATERIALS } from './palette.mjs';
 import { paintSigns } from './signs.mjs';
@@ -225,6 +226,7 @@ export async function textures() {
     shaft,
     rosette,
     sign: () => paintSigns(families),
+    guide: () => paintGuide(families),
   };
   const named = Object.entries(painted).map(async ([name, paint]) => [name, await encode(paint())]);
   return Object.fromEntries(await Promise.all(named));

@@ -2,7 +2,11 @@
 
 import { SUNK, Shape } from '../Shape.mjs';
 import { arcade, flight } from '../pieces.mjs';
+import { map, urn } from './guide.mjs';
 import { sign } from './sign.mjs';
+
+/** Height of the stage, metres. */
+const STAGE = 0.48;
 
 /** The gentle steps straight ahead of the spawn, the stage they lead to and the wall behind it. */
 export function stage(signs) {
@@ -21,9 +25,17 @@ export function stage(signs) {
     [1.2, 2.2],
     [4.6, 5.5],
   ];
-  arcade(wall, 'stone', 'nosing', { piers, spring: 2, top: 4.1, depth: 0.2 });
+  arcade(wall, 'stone', 'nosing', { piers, spring: 2, top: 4.1, depth: 0.2, segments: 22 });
   wall.place();
-  wall.box('teal', [-5.48, SUNK, -14.1], [5.48, 4.09, -13.7]);
+  for (const side of [-1, 1]) {
+    const [from, to] = side < 0 ? [-5.48, -1.7] : [1.7, 5.48];
+    wall.place().box('teal', [from, SUNK, -14.1], [to, 4.09, -13.7]);
+    urn(wall.place(side * 3.4, 0, -13.2), STAGE);
+  }
+  // The map's front is where the niches' backs are.
+  wall.place().box('teal', [-1.7, SUNK, -14.1], [1.7, 4.09, -13.72]);
+  map(wall.place(0, 0, -13.7), 0.7);
+  wall.place();
   wall.box('nosing', [-5.65, 4.08, -14.2], [5.65, 4.3, -13.42]);
   wall.box('terracotta', [-5.45, 4.29, -14.05], [5.45, 4.42, -13.57]);
   for (const side of [-1, 1]) {
@@ -33,13 +45,15 @@ export function stage(signs) {
     wall.place(side * 5.5, 4.84, -13.8).lathe(
       'terracotta',
       [
-        [0.25, 0],
-        [0.4, 0.22],
-        [0.4, 0.4],
-        [0.22, 0.65],
-        [0, 0.72],
+        [0.2, 0],
+        [0.33, 0.1],
+        [0.41, 0.27],
+        [0.4, 0.44],
+        [0.3, 0.62],
+        [0.15, 0.71],
+        [0, 0.74],
       ],
-      14,
+      22,
       { smooth: true },
     );
   }

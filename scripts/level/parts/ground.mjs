@@ -9,7 +9,7 @@ export const HALF = 30;
 /** [x0, z0, x1, z1] of each region. */
 export const TERRAIN = [6, 17, 28, 29];
 export const PIT = [-2, 14, 2, 18];
-const PIT_RIM = [-2.5, 13.5, 2.5, 18.5];
+export const PIT_RIM = [-2.5, 13.5, 2.5, 18.5];
 const LAWNS = [
   [7, -29, 29, -14],
   [-29, -29, -7, -16],
@@ -57,6 +57,12 @@ export function patina(x, z) {
   return [light, light * (1 - warm / 2), light * (1 - warm)];
 }
 
+/**
+ * The start's z. No line runs through it: the corners of a floor in the camera's own plane have no place in the picture,
+ * and a software GPU then draws the floor before one's feet in one colour.
+ */
+const START_Z = 4;
+
 /** Lines of the grid: every 2 m, every 1 m over lawns' and pit's edges, every 0.5 m over the terrain. */
 function lines(from, to, fineFrom, fineTo, extra) {
   const all = new Set([from, to, ...extra]);
@@ -84,7 +90,7 @@ export function ground() {
     TERRAIN[1],
     TERRAIN[3],
     regions.flatMap(([, a, , b]) => [a, b]),
-  );
+  ).filter((z) => z !== START_Z);
 
   for (let i = 1; i < xs.length; i++)
     for (let j = 1; j < zs.length; j++) {

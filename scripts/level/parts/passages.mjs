@@ -113,6 +113,6 @@ export function arch(signs) {
   });
   shape.box('nosing', [-2.35, 3.79, -0.6], [2.35, 4, 0.6]);
   shape.box('tile', [-2.2, 3.99, -0.45], [2.2, 4.15, 0.45]);
-  sign(signs, 'arch', -12.7, 14.4, 2);
+  sign(signs, 'arch', -12.9, 14.4, 2);
   return shape;
 }

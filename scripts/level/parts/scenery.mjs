@@ -227,11 +227,12 @@ export function trees() {
       const r = size * (k === 0 ? 0.85 : 0.62);
       const y = 2 + size * (k === 0 ? 0.75 : 0.35);
       shape.place(x + out * Math.cos(angle), y, z + out * Math.sin(angle));
-      const profile = Array.from({ length: 7 }, (_, j) => {
-        const turn = (j / 6 - 0.5) * Math.PI;
-        return [j === 0 || j === 6 ? 0 : r * Math.cos(turn), r * 0.85 * Math.sin(turn)];
+      const [rings, segments] = k === 0 ? [7, 16] : [6, 13];
+      const profile = Array.from({ length: rings + 1 }, (_, j) => {
+        const turn = (j / rings - 0.5) * Math.PI;
+        return [j % rings === 0 ? 0 : r * Math.cos(turn), r * 0.85 * Math.sin(turn)];
       });
-      shape.lathe('leaf', profile, 11, { smooth: true, phase: hash(i, k, 7) });
+      shape.lathe('leaf', profile, segments, { smooth: true, phase: hash(i, k, 7) });
     }
   });
   return shape;
