@@ -215,7 +215,7 @@ function start(screen: StartScreen, rendering: Rendering) {
     scene.add(level.root);
     quality?.refresh();
     begin();
-    await race.timed(collider.compile(renderer, scene));
+    await race.timed(() => collider.compile(renderer, scene));
     await renderer.compileAsync(scene, camera);
     frame(0);
     run();
@@ -259,7 +259,7 @@ function start(screen: StartScreen, rendering: Rendering) {
   const quality = parameters.adaptive || parameters.quality ? new Quality(renderer, scene) : null;
   const panel = parameters.ui ? createPanel(settings, rendering, chosen) : null;
   const opening = parameters.ui ? new Opening(camera, controls, element('words')) : null;
-  if (parameters.ui) new RacePanel(race, controls, canvas);
+  if (parameters.ui) new RacePanel(race, controls, canvas, () => pause.freeMouse());
   const hint = element('hint');
 
   // What the user prefers.
