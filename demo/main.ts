@@ -21,7 +21,7 @@ import { addLighting, type Lighting } from './lighting.js';
 import { createMovers, type Movers } from './movers.js';
 import { keepForOffline } from './offline/keepForOffline.js';
 import { Overlays } from './overlays/Overlays.js';
-import { announce, element, hasMouse, onReducedMotion } from './page.js';
+import { announce, element, hasMouse, notify, onReducedMotion } from './page.js';
 import { DEFAULT_LEVEL, readParameters } from './parameters.js';
 import { Pause } from './pause/Pause.js';
 import { Quality } from './Quality.js';
@@ -100,7 +100,10 @@ function start(screen: StartScreen, rendering: Rendering) {
       response: createResponse(settings),
     });
     // It went back to its last teleport, which a change of settings makes too: the start is meant.
-    made.addEventListener('respawn', () => made.teleport(spawn));
+    made.addEventListener('respawn', () => {
+      made.teleport(spawn);
+      notify('Back at the start');
+    });
     return made;
   }
 
@@ -212,7 +215,7 @@ function start(screen: StartScreen, rendering: Rendering) {
     scene.add(level.root);
     quality?.refresh();
     begin();
-    await race.timed(collider.compile(renderer, scene));
+    await race.timed(() => collider.compile(renderer, scene));
     await renderer.compileAsync(scene, camera);
     frame(0);
     run();
@@ -245,11 +248,18 @@ function start(screen: StartScreen, rendering: Rendering) {
         apply('helper');
       },
     },
+    view: {
+      get: () => settings.view,
+      set(view) {
+        settings.view = view;
+        apply('view');
+      },
+    },
   });
   const quality = parameters.adaptive || parameters.quality ? new Quality(renderer, scene) : null;
   const panel = parameters.ui ? createPanel(settings, rendering, chosen) : null;
   const opening = parameters.ui ? new Opening(camera, controls, element('words')) : null;
-  if (parameters.ui) new RacePanel(race, controls, canvas);
+  if (parameters.ui) new RacePanel(race, controls, canvas, () => pause.freeMouse());
   const hint = element('hint');
 
   // What the user prefers.
@@ -268,9 +278,10 @@ function start(screen: StartScreen, rendering: Rendering) {
   const pause = new Pause({
     controls,
     rest: () => renderer.setAnimationLoop(null),
-    goOn() {
+    goOn(capture) {
       run();
-      takeMouse();
+      if (capture) takeMouse();
+      else showHint();
     },
     restart: begin,
   });

@@ -1,10 +1,12 @@
 import { type Object3D, WebGLRenderer } from 'three';
 import { CubeCollider, type CubeColliderOptions } from 'three-cube-collider';
-import { CubeColliderHelper } from 'three-cube-collider/helpers';
+import { CubemapView } from './overlays/CubemapView.js';
 
 /** Shows what a collider sees. */
 export interface ColliderView {
   visible: boolean;
+  /** Width, CSS pixels; of what is drawn from now on. */
+  size: number;
   /** Another one, from now on. */
   show(collider: CubeCollider): void;
   /** Once a frame, after the picture. */
@@ -30,10 +32,7 @@ export function createWebGLRendering(canvas: HTMLCanvasElement, antialias: boole
     backend: 'WebGL 2',
     canWait: true,
     createCollider: (options) => new CubeCollider(options),
-    createView(collider) {
-      const helper = new CubeColliderHelper(collider);
-      return Object.assign(helper, { show: (shown: CubeCollider) => (helper.collider = shown) });
-    },
+    createView: (collider) => new CubemapView(collider),
     translate: () => {},
   };
 }

@@ -132,6 +132,7 @@ test.describe('walking', () => {
     await expect.poll(async () => (await foot(page))[1], soon).toBeLessThan(-1);
     await page.keyboard.up('KeyS');
     await expect.poll(async () => (await foot(page))[1], soon).toBeGreaterThan(-0.1);
+    await expect(page.locator('#notice')).toHaveText('Back at the start');
     const spawn = await page.evaluate(() => window.demo.spawn.toArray());
     const end = await whereItStops(page);
     end.forEach((value, i) => expect(Math.abs(value - spawn[i]!)).toBeLessThan(0.05));

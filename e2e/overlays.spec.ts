@@ -74,7 +74,9 @@ test.describe('in the demo', () => {
       'FreeSpaceHelper',
       'SurfelsHelper',
     ]);
-    await expect(page.getByText('of it ours')).toBeVisible();
+    // Around the feet are some of them: the eyes would not see them.
+    expect(await page.evaluate(() => window.demo.controls.view)).toBe('third');
+    await expect(page.locator('#notice')).toHaveText(/^Third person, as long/);
     await list.getByRole('button', { name: 'Surfaces' }).tap();
     await expect(list.getByRole('button', { name: 'Surfaces' })).toHaveAttribute(
       'aria-pressed',
@@ -85,5 +87,15 @@ test.describe('in the demo', () => {
         () => window.demo.scene.children.find(({ type }) => type === 'SurfelsHelper')!.visible,
       ),
     ).toBe(false);
+    for (const name of ['Contacts', 'Body']) await list.getByRole('button', { name }).tap();
+    expect(await page.evaluate(() => window.demo.controls.view)).toBe('first');
+
+    // No two panels at a time; folded, the list leaves room for the numbers.
+    await page.getByRole('button', { name: 'Level', exact: true }).tap();
+    await expect(list.getByRole('button', { name: 'Surfaces' })).toBeHidden();
+    await page.getByRole('button', { name: 'Level', exact: true }).tap();
+    await expect(page.getByText('of it, for colliding')).toBeVisible();
+    await page.getByRole('button', { name: 'Switch the view' }).tap();
+    expect(await page.evaluate(() => window.demo.settings.view)).toBe('third');
   });
 });

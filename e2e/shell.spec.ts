@@ -114,6 +114,13 @@ test('rests while nobody walks, and goes on just there, with no key down', async
   await expect(paused(page)).toBeVisible();
   await page.getByRole('button', { name: 'Back to the start' }).click();
   await expect.poll(async () => (await foot(page))[2]).toBeCloseTo(start!, 1);
+
+  // What lies beside the picture goes on without the mouse.
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Level…' }).click();
+  await expect(paused(page)).toBeHidden();
+  await expect(page.getByRole('button', { name: 'Open a level…' })).toBeVisible();
+  expect(await page.evaluate(() => window.demo.controls.isLocked)).toBe(false);
 });
 
 test('leaves axe nothing to find, and no button too small for a thumb', async ({ page }) => {
@@ -154,7 +161,7 @@ test('leaves axe nothing to find, and no button too small for a thumb', async ({
   await page.keyboard.press('KeyP');
   await look('panel on a phone', '.lil-gui select >> nth=0');
   await page.setViewportSize({ width: 1280, height: 720 });
-  await look('panel', '.lil-gui select >> nth=0', '.numbers');
+  await look('panel', '.lil-gui select >> nth=0', '.overlays');
   await page.keyboard.press('Escape');
   await look('paused', '#paused');
   await page.getByRole('button', { name: 'Settings' }).click();

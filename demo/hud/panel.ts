@@ -2,6 +2,7 @@ import { GUI } from 'lil-gui';
 import { element } from '../page.js';
 import { RESOLUTIONS } from '../parameters.js';
 import type { Rendering } from '../rendering.js';
+import { onePopup } from './onePopup.js';
 
 /** What the panel sets. */
 export interface Settings {
@@ -35,6 +36,10 @@ export function createPanel(
   gui.domElement.setAttribute('role', 'group');
   gui.domElement.setAttribute('aria-label', 'Collider');
   gui.close();
+  const opened = onePopup(() => gui.close());
+  gui.onOpenClose(() => {
+    if (!gui._closed) opened();
+  });
   gui
     .add(settings, 'view', { 'first person': 'first', 'third person': 'third' })
     .onChange(() => changed('view'));

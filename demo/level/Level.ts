@@ -16,6 +16,7 @@ import { guessScale } from './guessScale.js';
 import { boundsOf, guessUp, turnOf, type Up } from './orientation.js';
 import { prepare } from './prepare.js';
 import { spawnNode } from './spawnNode.js';
+import { tintPlain } from './tintPlain.js';
 import { collectTriangles } from './triangles.js';
 
 /** How a file stands in the world. */
@@ -63,6 +64,7 @@ export class Level {
     this.root.name = 'level';
     this.root.add(this.#frame.add(content));
     prepare(content);
+    if (!own) tintPlain(content);
     this.#mixer = playClips(content, clips);
     this.placing = { up: '+Y', scale: 1, floor: false };
     this.root.updateMatrixWorld(true);

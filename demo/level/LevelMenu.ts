@@ -1,4 +1,5 @@
 import { Vector3 } from 'three';
+import { onePopup } from '../hud/onePopup.js';
 import { EXAMPLES } from './examples.js';
 import type { Level, Placing } from './Level.js';
 import { UPS } from './orientation.js';
@@ -20,7 +21,7 @@ const MARKUP = `
   <section id="level-panel" class="level-panel" aria-label="Level" hidden>
     <ul class="level-list"></ul>
     <button type="button" class="level-open">Open a level…</button>
-    <p class="level-about">or drop a .glb, or a .gltf with its files, anywhere. It stays on this device.</p>
+    <p class="level-about"><span>or drop a .glb, or a .gltf with its files, anywhere. </span>It stays on this device.</p>
     <fieldset class="level-adjust" disabled>
       <legend></legend>
       <label>Scale <span><button type="button" data-by="0.8" aria-label="Smaller">−</button><input name="scale" type="number" min="0.000001" max="1000000" step="any" inputmode="decimal" /><button type="button" data-by="1.25" aria-label="Larger">+</button></span></label>
@@ -43,6 +44,7 @@ export class LevelMenu {
   readonly #up: HTMLSelectElement;
   readonly #floor: HTMLInputElement;
   readonly #actions: MenuActions;
+  readonly #opened = onePopup(() => this.open(false));
   #level: Level | null = null;
 
   constructor(parent: HTMLElement, actions: MenuActions) {
@@ -60,6 +62,12 @@ export class LevelMenu {
     for (const up of UPS) this.#up.add(new Option(up));
     find('.level-list').append(...EXAMPLES.map((each) => this.#item(each)));
     this.#toggle.addEventListener('click', () => this.open(this.#panel.hidden === true));
+    for (const opener of document.querySelectorAll('[data-opens="level"]')) {
+      opener.addEventListener('click', () => {
+        this.open(true);
+        this.#panel.querySelector('button')!.focus();
+      });
+    }
     find('.level-open').addEventListener('click', () => actions.pick());
     this.#scale.addEventListener('change', () => this.#setScale(Number(this.#scale.value)));
     this.#up.addEventListener('change', () => this.#place({ up: UPS[this.#up.selectedIndex]! }));
@@ -75,6 +83,7 @@ export class LevelMenu {
   open(on: boolean): void {
     this.#panel.hidden = !on;
     this.#toggle.setAttribute('aria-expanded', String(on));
+    if (on) this.#opened();
   }
 
   /** Shows what is true of a level now. */

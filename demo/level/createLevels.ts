@@ -113,11 +113,12 @@ function offer(pick: () => void, visit: (url: string) => Promise<void>): void {
     made.addEventListener('click', act);
     return made;
   };
-  const others = EXAMPLES.filter(({ url }) => url !== DEFAULT_LEVEL).flatMap(({ name, url }) => [
-    ' · ',
+  const others = EXAMPLES.filter(({ url }) => url !== DEFAULT_LEVEL).map(({ name, url }) =>
     button(name, () => void visit(url)),
-  ]);
-  line.append('Or drop a .glb here · ', button('open your own', pick), ...others);
+  );
+  const drop = document.createElement('span');
+  drop.textContent = 'Or drop a .glb anywhere, or try another level:';
+  line.append(drop, button('Open a .glb', pick), ...others);
   document.querySelector('.action')?.after(line);
 }
 

@@ -4,21 +4,32 @@ import type { CharacterController, CubeCollider, CubeColliderStats } from 'three
 /** Seconds between two looks at the numbers: they are to be read. */
 const INTERVAL = 0.25;
 
+/** What each row is called, and what it means, for who points at it. */
 const ROWS = [
-  'frame',
-  'of it ours',
-  '· select',
-  '· submit',
-  '· read back',
-  '· decode',
-  '· look, move',
-  'latency',
-  'cubemaps',
-  'picture',
-  'position',
-  'ground',
-  'held',
+  ['a frame', 'From one picture to the next, and how many of them a second'],
+  [
+    'of it, for colliding',
+    'How long collider and character keep the page busy a frame; its parts:',
+  ],
+  ['· find what is near', 'Meshes and triangles within reach of the character'],
+  ['· draw the cubemap', 'What it takes to tell the GPU to draw it'],
+  ['· wait for the GPU', 'How long the page stands still for what comes back'],
+  ['· make surfaces of it', 'Distances and normals, out of the pixels that came back'],
+  ['· move the character', 'Contacts, steps, slopes; and whether a new cubemap is due'],
+  ['age of what it sees', 'From when a cubemap was drawn to the step that walks by it'],
+  [
+    'cubemaps',
+    'How many are drawn, and how many meshes were in the last one; none while it stands',
+  ],
+  ['the whole picture', 'What the page draws for you to see, in a frame'],
+  ['where it is', 'Its foot: x, y, z in metres'],
+  ['stands on', 'The mesh below its foot, by its name in the level'],
+  [
+    'waited',
+    'Steps so far that it stood for want of a cubemap, and steps that it took slower for it',
+  ],
 ] as const;
+type Row = (typeof ROWS)[number][0];
 
 /** Milliseconds of each stage, or counts, all together. */
 type Totals = Record<'draws' | 'selecting' | 'submitting' | 'blocked' | 'decoding', number>;
@@ -26,7 +37,7 @@ type Totals = Record<'draws' | 'selecting' | 'submitting' | 'blocked' | 'decodin
 /** The small table of numbers: what a frame costs, what of it is the collider's and the character's, and why. */
 export class Numbers {
   readonly element = document.createElement('section');
-  readonly #cells = new Map<string, HTMLElement>();
+  readonly #cells = new Map<Row, HTMLElement>();
   #seconds = 0;
   #frames = 0;
   /** Milliseconds in `character.update`, without what the collider counts of them. */
@@ -40,10 +51,11 @@ export class Numbers {
     this.element.className = 'numbers';
     this.element.setAttribute('aria-label', 'Numbers');
     const list = document.createElement('dl');
-    for (const name of ROWS) {
+    for (const [name, meaning] of ROWS) {
       const term = document.createElement('dt');
       const value = document.createElement('dd');
       term.textContent = name;
+      term.title = value.title = meaning;
       value.textContent = '–';
       list.append(term, value);
       this.#cells.set(name, value);
@@ -90,40 +102,41 @@ export class Numbers {
     const frames = this.#frames;
     const spent = (name: keyof Totals) => (stats[name] - this.#last[name]) / frames;
     const stages = {
-      '· select': spent('selecting'),
-      '· submit': spent('submitting'),
-      '· read back': spent('blocked'),
-      '· decode': spent('decoding'),
-      '· look, move': this.#moving / frames,
+      '· find what is near': spent('selecting'),
+      '· draw the cubemap': spent('submitting'),
+      '· wait for the GPU': spent('blocked'),
+      '· make surfaces of it': spent('decoding'),
+      '· move the character': this.#moving / frames,
     } as const;
     this.#show(
-      'frame',
-      `${((1000 * this.#seconds) / frames).toFixed(1)} ms · ${Math.round(frames / this.#seconds)} fps`,
+      'a frame',
+      `${((1000 * this.#seconds) / frames).toFixed(1)} ms, ${Math.round(frames / this.#seconds)} a second`,
     );
     let ours = 0;
     for (const [name, time] of Object.entries(stages)) {
       ours += time;
-      this.#show(name, `${time.toFixed(2)} ms`);
+      this.#show(name as Row, `${time.toFixed(2)} ms`);
     }
-    this.#show('of it ours', `${ours.toFixed(2)} ms`);
+    this.#show('of it, for colliding', `${ours.toFixed(2)} ms`);
     // From the draw to the character's next step, or, in the paper's mode, to the page.
     const latency = 1000 * character.latency || stats.latency;
-    this.#show('latency', `${latency.toFixed(0)} ms · forced ${stats.forced}`);
-    this.#show('cubemaps', `${spent('draws').toFixed(2)} a frame · ${stats.objects} meshes`);
+    this.#show('age of what it sees', `${latency.toFixed(0)} ms`);
+    const perSecond = (stats.draws - this.#last.draws) / this.#seconds;
+    this.#show('cubemaps', `${perSecond.toFixed(0)} a second, ${stats.objects} meshes`);
     const { calls, drawCalls, triangles } = renderer.info.render as {
       calls: number;
       drawCalls?: number;
       triangles: number;
     };
-    this.#show('picture', `${short(triangles)} triangles · ${drawCalls ?? calls} calls`);
+    this.#show('the whole picture', `${short(triangles)} triangles, ${drawCalls ?? calls} calls`);
     const { x, y, z } = character.position;
-    this.#show('position', [x, y, z].map((value) => signed(value)).join(' '));
-    this.#show('ground', standing(character));
+    this.#show('where it is', [x, y, z].map((value) => signed(value)).join(' '));
+    this.#show('stands on', standing(character));
     const { held, slowed } = character.stats;
-    this.#show('held', `${held} · slowed ${slowed}`);
+    this.#show('waited', `${held} steps, slowed ${slowed}`);
   }
 
-  #show(name: string, text: string): void {
+  #show(name: Row, text: string): void {
     this.#cells.get(name)!.textContent = text;
   }
 }

@@ -1,8 +1,6 @@
-import { element } from '../page.js';
+import { onePopup } from '../hud/onePopup.js';
+import { element, isSmall } from '../page.js';
 import { OVERLAYS, type OverlayKind, type OverlayName } from './kinds.js';
-
-/** Below this width the list is folded at first, CSS pixels. */
-const NARROW = 720;
 
 /** The list of what can be shown: a button each, which says so once it is on. */
 export class OverlayList {
@@ -16,7 +14,7 @@ export class OverlayList {
     this.element.setAttribute('aria-label', 'What the collider sees');
     const list = document.createElement('ul');
     list.id = 'overlay-list';
-    list.hidden = window.innerWidth <= NARROW;
+    list.hidden = isSmall();
     this.element.append(opener(list), list);
     for (const kind of OVERLAYS) {
       const note = explanation(kind);
@@ -47,18 +45,21 @@ export class OverlayList {
   }
 }
 
-/** Folds the list away, and out again. */
+/** Folds the list away, and out again; where there is no room for two panels, it is one of them. */
 function opener(list: HTMLElement): HTMLButtonElement {
   const button = document.createElement('button');
   button.type = 'button';
   button.className = 'opener';
   button.textContent = 'What the collider sees';
   button.setAttribute('aria-controls', list.id);
+  const open = (on: boolean) => {
+    list.hidden = !on;
+    button.setAttribute('aria-expanded', String(on));
+    if (on && isSmall()) opened();
+  };
+  const opened = onePopup(() => isSmall() && open(false));
   button.setAttribute('aria-expanded', String(!list.hidden));
-  button.addEventListener('click', () => {
-    list.hidden = !list.hidden;
-    button.setAttribute('aria-expanded', String(!list.hidden));
-  });
+  button.addEventListener('click', () => open(list.hidden === true));
   return button;
 }
 

@@ -10,10 +10,8 @@ import {
 import { OVERLAYS, type OverlayName } from './kinds.js';
 import { Numbers } from './Numbers.js';
 import { OverlayList } from './OverlayList.js';
-
-/** What is shown on a wide page at first. */
-const FIRST: OverlayName[] = ['numbers'];
-const WIDE = 720;
+import { RestingStrip } from './RestingStrip.js';
+import { StepBehind, type ViewChoice } from './StepBehind.js';
 
 export interface OverlaysOptions {
   renderer: WebGLRenderer;
@@ -26,6 +24,7 @@ export interface OverlaysOptions {
   listening: () => boolean;
   /** The unfolded cubemap, which the settings know too. */
   cubemap: { get: () => boolean; set: (on: boolean) => void };
+  view: ViewChoice;
 }
 
 /** A helper that stands in the scene. */
@@ -37,7 +36,8 @@ export class Overlays {
   readonly #on = new Set<OverlayName>();
   readonly #numbers = new Numbers();
   readonly #list: OverlayList | null;
-  readonly #canvas = document.createElement('canvas');
+  readonly #strip = new RestingStrip();
+  readonly #behind: StepBehind;
   #character: CharacterController;
   #collider: CubeCollider;
   #contacts: ContactsHelper | null = null;
@@ -50,17 +50,14 @@ export class Overlays {
     this.#options = options;
     this.#character = options.character as CharacterController;
     this.#collider = options.collider;
-    this.#canvas.className = 'timeline';
-    this.#canvas.setAttribute('role', 'img');
-    this.#canvas.setAttribute('aria-label', 'Read-backs of the last seconds');
-    this.#list = options.ui ? new OverlayList((name) => this.set(name, !this.has(name))) : null;
+    this.#behind = new StepBehind(options.view);
+    this.#list = options.ui ? new OverlayList((name) => this.#toggle(name)) : null;
     const column = document.createElement('div');
     column.className = 'overlays';
     if (this.#list !== null) column.append(this.#list.element);
     column.append(this.#numbers.element);
-    document.body.append(column, this.#canvas);
-    const asked = new URLSearchParams(location.search).get('show')?.split(',');
-    const first = asked ?? (options.ui && window.innerWidth > WIDE ? FIRST : []);
+    document.body.append(column, this.#strip.element);
+    const first = new URLSearchParams(location.search).get('show')?.split(',') ?? [];
     for (const { name } of OVERLAYS) if (name !== 'cubemap') this.set(name, first.includes(name));
     window.addEventListener('keydown', (event) => this.#press(event));
     this.refresh();
@@ -80,6 +77,12 @@ export class Overlays {
     else this.#on.delete(name);
     this.#make(name);
     this.refresh();
+  }
+
+  /** As a user asks for it. */
+  #toggle(name: OverlayName): void {
+    this.set(name, !this.has(name));
+    this.#behind.changed(name, (each) => this.has(each));
   }
 
   /** Others, from now on. */
@@ -115,6 +118,7 @@ export class Overlays {
     this.#surfels?.update();
     this.#free?.update();
     this.#timeline?.update();
+    this.#strip.update(this.#collider.stats.draws);
   }
 
   /** Once a frame, after the picture was drawn. */
@@ -136,7 +140,7 @@ export class Overlays {
       if (helper !== null) helper.visible = this.#on.has(name);
     }
     this.#numbers.element.hidden = !this.#on.has('numbers');
-    this.#canvas.hidden = !this.#on.has('timeline');
+    this.#strip.element.hidden = !this.#on.has('timeline');
   }
 
   #press({ code, repeat, ctrlKey, altKey, metaKey, target }: KeyboardEvent): void {
@@ -144,7 +148,7 @@ export class Overlays {
     if (target instanceof HTMLInputElement || target instanceof HTMLSelectElement) return;
     const kind = OVERLAYS.find((each) => each.code === code);
     // That one's key is among those which the page lets a user choose.
-    if (kind !== undefined && kind.name !== 'cubemap') this.set(kind.name, !this.has(kind.name));
+    if (kind !== undefined && kind.name !== 'cubemap') this.#toggle(kind.name);
   }
 
   /** Makes what is on and was not there yet. */
@@ -157,7 +161,7 @@ export class Overlays {
     if (name === 'surfels') this.#surfels ??= this.#add(new SurfelsHelper(collider));
     if (name === 'free') this.#free ??= this.#add(new FreeSpaceHelper(collider));
     if (name === 'timeline') {
-      this.#timeline ??= new ReadbackTimeline(collider, this.#canvas, { character });
+      this.#timeline ??= new ReadbackTimeline(collider, this.#strip.canvas, { character });
     }
   }
 

@@ -91,7 +91,7 @@ export const OVERLAYS: readonly OverlayKind[] = [
     code: 'Digit6',
     key: '6',
     label: 'Numbers',
-    line: 'Milliseconds a frame, and our share.',
-    more: 'What a frame costs the main thread, and what of it is ours, stage by stage.',
+    line: 'What a frame takes, and colliding of it.',
+    more: 'What a frame costs the main thread, and what of it colliding takes, stage by stage.',
   },
 ];

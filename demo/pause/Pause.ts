@@ -9,8 +9,8 @@ export interface Pausable {
   readonly controls: CharacterControls;
   /** No frame from now on. */
   rest(): void;
-  /** In the gesture of a user: the pointer may be captured. */
-  goOn(): void;
+  /** @param capture whether this is a user's gesture, in which the pointer may be captured */
+  goOn(capture: boolean): void;
   /** Puts the character back to where it began. */
   restart(): void;
 }
@@ -46,6 +46,10 @@ export class Pause {
       // Anywhere but on another button.
       if (target instanceof Element && target.closest('button') === null) this.resume();
     });
+    // It opens beside the picture, and wants a mouse to point with.
+    for (const opener of dialog.querySelectorAll('[data-opens="level"]')) {
+      opener.addEventListener('click', () => this.resume(false));
+    }
     element('resume').addEventListener('click', () => this.resume());
     element('restart').addEventListener('click', () => {
       pausable.restart();
@@ -86,13 +90,13 @@ export class Pause {
     announce('Paused');
   }
 
-  /** In the gesture of a user. */
-  resume(): void {
+  /** @param capture whether this is a user's gesture, in which the pointer may be captured */
+  resume(capture = true): void {
     if (!this.#paused) return;
     this.#paused = false;
     this.#dialog.close();
     this.#pausable.controls.enabled = true;
-    this.#pausable.goOn();
+    this.#pausable.goOn(capture);
     announce('Walking');
   }
 

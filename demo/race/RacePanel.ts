@@ -1,5 +1,7 @@
 import './race.css';
 import type { CharacterControls } from 'three-cube-collider';
+import { onePopup } from '../hud/onePopup.js';
+import { notify } from '../page.js';
 import { type ContestantId, OURS, RIVALS } from './contestants.js';
 import { CONTESTANTS, type Race, type Result } from './Race.js';
 
@@ -7,14 +9,18 @@ const ALL = { cube: OURS, ...RIVALS };
 
 const COLUMNS = [
   [
-    'build',
+    'before the first step',
     'ms',
-    'Milliseconds that the page is kept until it is built; ours: until its programs are compiled',
+    'How long the page stands still until it has taken its first step: to build a tree or a world; ours: to ask for its shaders, which are compiled in the background, and to draw its first cubemap',
   ],
-  ['keeps', 'MB', 'Memory that it keeps: ours on the GPU too, Octree by a count of its objects'],
-  ['a frame', 'ms', 'Of the main thread: median and worst of the last two seconds'],
+  ['memory', 'MB', 'What it keeps: ours on the GPU too, Octree by a count of its objects'],
   [
-    'inside',
+    'usual / worst frame',
+    'ms',
+    'What it takes of the main thread in a frame, picture left out: median and worst of the last two seconds',
+  ],
+  [
+    'inside a wall',
     'mm',
     'How deep its body is in what is drawn now, by exact distances; the fence’s planks left out',
   ],
@@ -22,14 +28,16 @@ const COLUMNS = [
 
 const HTML = `
 <button type="button" class="toggle" aria-expanded="false" aria-controls="race-body">
-  <span>Race</span><b></b><kbd title="Switches to the next one">R</kbd>
+  <span>Compare</span><b></b><kbd>R</kbd>
 </button>
 <div id="race-body" hidden>
+  <p class="about">The same character, moved by another library. Choose one, and walk.</p>
   <table>
     <thead><tr><th scope="col"><span class="unseen">Collider</span></th></tr></thead>
     <tbody></tbody>
   </table>
   <p class="cannot"></p>
+  <p class="missed"></p>
   <p class="told" role="status"></p>
 </div>`;
 
@@ -40,12 +48,16 @@ export class RacePanel {
   readonly #toggle: HTMLButtonElement;
   readonly #buttons = new Map<ContestantId, HTMLButtonElement>();
   readonly #cells = new Map<ContestantId, HTMLElement[]>();
+  readonly #opened = onePopup(() => this.#open(false));
 
-  /** @param canvas has the focus back once one was chosen by a pointer, so that keys walk */
-  constructor(race: Race, controls: CharacterControls, canvas: HTMLElement) {
+  /**
+   * @param canvas has the focus back once one was chosen by a pointer, so that keys walk
+   * @param freeMouse lets go of the mouse without a pause, for the rows to be pointed at
+   */
+  constructor(race: Race, controls: CharacterControls, canvas: HTMLElement, freeMouse: () => void) {
     this.#race = race;
     this.#element.id = 'race';
-    this.#element.setAttribute('aria-label', 'Race beside other colliders');
+    this.#element.setAttribute('aria-label', 'Compare with other libraries');
     this.#element.innerHTML = HTML;
     this.#toggle = this.#find('.toggle');
     const head = this.#find('thead tr');
@@ -62,7 +74,12 @@ export class RacePanel {
       const { code, repeat, ctrlKey, altKey, metaKey, target } = event;
       if (code !== 'KeyR' || !controls.enabled || repeat || ctrlKey || altKey || metaKey) return;
       if (target instanceof HTMLInputElement || target instanceof HTMLSelectElement) return;
-      void race.next();
+      if (race.watched) {
+        void race.next();
+        return;
+      }
+      freeMouse();
+      this.#open(true);
     });
     document.body.append(this.#element);
     race.onChange = () => this.#refresh();
@@ -76,13 +93,16 @@ export class RacePanel {
     head.scope = 'row';
     button.type = 'button';
     button.textContent = ALL[id].name;
-    button.addEventListener('click', ({ detail }) => {
-      void this.#race.choose(id);
-      if (detail > 0) canvas.focus({ preventScroll: true });
-    });
+    button.title = ALL[id].cannot;
+    button.addEventListener('click', () => void this.#race.choose(id));
     head.append(button);
     const cells = COLUMNS.map(() => document.createElement('td'));
     row.append(head, ...cells);
+    // Anywhere in the row; its button is there for the keyboard.
+    row.addEventListener('click', ({ target, detail }) => {
+      if (!button.contains(target as Node)) button.click();
+      if (detail > 0) canvas.focus({ preventScroll: true });
+    });
     this.#find('tbody').append(row);
     this.#buttons.set(id, button);
     this.#cells.set(id, cells);
@@ -91,23 +111,35 @@ export class RacePanel {
   #open(open: boolean): void {
     this.#race.watched = open;
     this.#toggle.setAttribute('aria-expanded', String(open));
+    this.#toggle.querySelector('kbd')!.textContent = open ? 'R: the next' : 'R';
     this.#find('#race-body').hidden = !open;
-    if (open) this.#race.look();
+    if (!open) return;
+    this.#opened();
+    this.#race.look();
   }
 
   #refresh(): void {
-    const { current, results, status } = this.#race;
+    const { current, results, status, missed, watched } = this.#race;
     this.#find('.toggle b').textContent = ALL[current].name;
     for (const id of CONTESTANTS) {
-      this.#buttons.get(id)!.setAttribute('aria-pressed', String(id === current));
+      const button = this.#buttons.get(id)!;
+      button.setAttribute('aria-pressed', String(id === current));
+      button.closest('tr')!.classList.toggle('walks', id === current);
       const texts = textsOf(results[id]);
       this.#cells.get(id)!.forEach((cell, i) => (cell.textContent = texts[i]!));
     }
     this.#find('.cannot').textContent = ALL[current].cannot;
-    const told = this.#find('.told');
-    if (told.textContent !== status) told.textContent = status;
+    if (this.#tell('.missed', missed) && missed !== '' && !watched) notify(missed);
     // What is said must be seen.
-    if (status !== '' && !this.#race.watched) this.#open(true);
+    if (this.#tell('.told', status) && status !== '' && !watched) this.#open(true);
+  }
+
+  /** @returns whether that is new */
+  #tell(selector: string, text: string): boolean {
+    const told = this.#find(selector);
+    const isNew = told.textContent !== text;
+    if (isNew) told.textContent = text;
+    return isNew;
   }
 
   #find<E extends HTMLElement>(selector: string): E {
@@ -120,7 +152,7 @@ function textsOf({ build, bytes, frames, inside }: Result): string[] {
   return [
     rounded(build, 0),
     rounded(bytes / 1e6, 1),
-    times ? `${rounded(times.median, 1)} · ${rounded(times.worst, 1)}` : '–',
+    times ? `${rounded(times.median, 1)} / ${rounded(times.worst, 1)}` : '–',
     Number.isNaN(inside) ? '–' : rounded(Math.max(0, 1000 * inside), 0),
   ];
 }

@@ -20,6 +20,14 @@ const FREE = 0.005;
 const HIGHEST = 3;
 const STEP = 0.05;
 
+/** How deep a body is in what is drawn. */
+export interface Penetration {
+  /** Metres; negative is a gap. */
+  depth: number;
+  /** In what, if it does not stand still. */
+  mesh: Mesh | null;
+}
+
 /**
  * The scene as rivals get it, and as a judge sees it who knows neither them nor cubemaps: by exact distances to the
  * triangles that are drawn at this moment, all but those that an alpha test cuts.
@@ -49,12 +57,11 @@ export class Scenery {
     return solidGeometry(this.#solid().filter((mesh) => !this.#moves(mesh)));
   }
 
-  /** How deep a capsule that stands on `foot` is in what is drawn now, metres; negative is a gap. */
-  penetration(foot: Vector3, height: number = SHAPE.height): number {
-    return this.#judges(foot, HIGHEST).reduce(
-      (deepest, judge) => Math.max(deepest, judge.penetration(foot, SHAPE.radius, height)),
-      -Infinity,
-    );
+  /** How deep a capsule that stands on `foot` is in what is drawn now. */
+  penetration(foot: Vector3, height: number = SHAPE.height): Penetration {
+    return this.#judges(foot, HIGHEST)
+      .map(({ judge, mesh }) => ({ depth: judge.penetration(foot, SHAPE.radius, height), mesh }))
+      .reduce((deepest, each) => (each.depth > deepest.depth ? each : deepest));
   }
 
   /** Lifts a foot out of what is drawn there, to the first free place above it; leaves it if there is none. */
@@ -63,18 +70,19 @@ export class Scenery {
     const free = foot.clone();
     for (let up = 0; up < HIGHEST; up += STEP) {
       free.y = foot.y + up;
-      if (judges.every((judge) => judge.penetration(free) < -FREE)) return free;
+      if (judges.every(({ judge }) => judge.penetration(free) < -FREE)) return free;
     }
     return foot;
   }
 
   /** One of all that stands still, and one of each thing near by that does not, as it is now. */
-  #judges(foot: Vector3, reach: number): Judge[] {
+  #judges(foot: Vector3, reach: number): { judge: Judge; mesh: Mesh | null }[] {
     this.#still ??= this.#judgeStill();
     const place = drawnVertex(this.#hall);
     const near = this.#restless.filter((mesh) => isNear(mesh, foot, reach));
     for (const mesh of near) mesh.updateWorldMatrix(true, true);
-    return [this.#still, ...near.map((mesh) => new Judge(solidGeometry([mesh], place)))];
+    const moving = near.map((mesh) => ({ judge: new Judge(solidGeometry([mesh], place)), mesh }));
+    return [{ judge: this.#still, mesh: null }, ...moving];
   }
 
   #judgeStill(): Judge {

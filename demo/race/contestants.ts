@@ -14,6 +14,8 @@ export interface Built {
 
 export interface Contestant {
   name: string;
+  /** What it answers from, in a word. */
+  of: string;
   /** In plain words. */
   cannot: string;
 }
@@ -27,17 +29,19 @@ export interface Rival extends Contestant {
   build(geometry: BufferGeometry): Promise<Built>;
 }
 
-const HOLES = 'Cannot: what moves by skin, morph or shader, the hole in the fence;';
+const HOLES = 'Cannot see what moves by skin, morph or shader, nor the hole in the fence;';
 
 export const OURS: Contestant = {
   name: 'Cube collider',
-  cannot: 'Nothing to build: solid is what is drawn. Cannot: push bodies, cast long rays.',
+  of: 'cubemap',
+  cannot: 'Solid is what is drawn. Cannot push bodies, nor cast long rays.',
 };
 
 /** Each as its own example or guide drives it; its code comes when it is first asked for. */
 export const RIVALS: Readonly<Record<RivalId, Rival>> = {
   octree: {
     name: 'Octree',
+    of: 'tree',
     cannot: `${HOLES} what moves otherwise means building it anew.`,
     longest: 0.05,
     skin: 0,
@@ -49,6 +53,7 @@ export const RIVALS: Readonly<Record<RivalId, Rival>> = {
   },
   bvh: {
     name: 'three-mesh-bvh',
+    of: 'tree',
     cannot: `${HOLES} skins and lifts only with a tree for each, refitted by you.`,
     longest: 0.1,
     skin: 0,
@@ -60,6 +65,7 @@ export const RIVALS: Readonly<Record<RivalId, Rival>> = {
   },
   rapier: {
     name: 'Rapier',
+    of: 'world',
     cannot: `${HOLES} lifts only with a body for each, moved by you.`,
     longest: 0.1,
     skin: 0.01,

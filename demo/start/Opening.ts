@@ -3,6 +3,8 @@ import type { CharacterControls, View } from 'three-cube-collider';
 
 /** The boom behind the start screen, metres: on a wide page, and on a phone, whose text takes from below. */
 const DISTANCE = { wide: 5.2, high: 6.4 };
+/** Part of what the text takes from below by which the picture is moved up: the figure's feet stay above it. */
+const BELOW = 0.46;
 /** How fast the picture's middle comes back once one walks, 1/s. */
 const RATE = 5;
 
@@ -59,7 +61,7 @@ export class Opening {
   #room(width: number, height: number): [x: number, y: number] {
     if (this.#text.offsetWidth === 0) return this.#last;
     const { right, top } = this.#text.getBoundingClientRect();
-    this.#last = right < 0.7 * width ? [-right / 2, 0] : [0, 0.3 * (height - top)];
+    this.#last = right < 0.7 * width ? [-right / 2, 0] : [0, BELOW * (height - top)];
     return this.#last;
   }
 }

@@ -3,7 +3,7 @@ import { WebGPURenderer } from 'three/webgpu';
 import type { CubeCollider as WebGLCubeCollider } from 'three-cube-collider';
 import { CubeCollider } from 'three-cube-collider/webgpu';
 import type { Rendering } from '../rendering.js';
-import { FieldView } from './FieldView.js';
+import { FieldView } from '../overlays/FieldView.js';
 import { translate } from './translate.js';
 
 /** @param forceWebGL on the WebGL 2 fallback, though there be WebGPU */

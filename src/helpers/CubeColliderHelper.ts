@@ -181,7 +181,7 @@ export class CubeColliderHelper {
     uniforms.ramp.value.fromArray(layout.ramp);
     const canvas = document.createElement('canvas');
     drawLabels(canvas, layout, pixelRatio, {
-      title: output === 'axis' ? 'Six maxima' : 'Surfaces',
+      title: output === 'axis' ? 'Six maxima' : 'Cubemap',
       detail: `6 × ${resolution}² texels`,
       near: `near ${ends[0]!}`,
       far: `far ${ends[1]!} m`,

@@ -96,7 +96,7 @@ export class UnfoldedField {
     if (key !== this.#labelKey) {
       this.#labelKey = key;
       drawLabels(this.#labels, layout, ratio, {
-        title: output === 'axis' ? 'Six maxima' : 'Surfaces',
+        title: output === 'axis' ? 'Six maxima' : 'Cubemap',
         detail: `6 × ${resolution}² texels`,
         near: `near ${ends[0]}`,
         far: `far ${ends[1]} m`,

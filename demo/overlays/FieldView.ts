@@ -2,7 +2,7 @@ import type { CubeCollider } from 'three-cube-collider';
 import { UnfoldedField } from 'three-cube-collider/helpers';
 import type { ColliderView } from '../rendering.js';
 
-/** The newest field unfolded, on a canvas over the picture: `CubeColliderHelper` draws with `WebGLRenderer` alone. */
+/** The newest field unfolded, on a canvas over the picture: as sharp as the screen, however coarse the picture is. */
 export class FieldView implements ColliderView {
   readonly #canvas = document.createElement('canvas');
   readonly #unfolded: UnfoldedField;
@@ -22,6 +22,15 @@ export class FieldView implements ColliderView {
   set visible(visible: boolean) {
     this.#unfolded.visible = visible;
     this.#canvas.hidden = !visible;
+  }
+
+  get size(): number {
+    return this.#unfolded.size;
+  }
+
+  set size(size: number) {
+    this.#unfolded.size = size;
+    this.#canvas.style.width = `${size}px`;
   }
 
   show(collider: CubeCollider): void {
