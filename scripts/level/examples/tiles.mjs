@@ -73,7 +73,12 @@ class Sheet {
       });
     const low = ring(radius, y);
     const high = roof > 0 ? ring(roof, y + top) : null;
-    const tip = high ?? [this.vertex([x, y + top, z], tint.map((value) => 1.25 * value))];
+    const tip = high ?? [
+      this.vertex(
+        [x, y + top, z],
+        tint.map((value) => 1.25 * value),
+      ),
+    ];
     for (let i = 0; i < sides; i++) {
       const k = (i + 1) % sides;
       this.indices.push(low[i], low[k], tip[high ? k : 0]);
