@@ -17,7 +17,15 @@ const LARGEST = 30e3;
 const QUALITIES = [82, 74, 66, 58, 50, 42];
 /** How far each walks before its picture is taken, metres. */
 const WALK = 1.5;
-const WALKS = { 'moving-platforms': 2.2, sensors: 2 };
+const WALKS = {
+  'moving-platforms': 2.2,
+  sensors: 2,
+  'from-octree': 0.6,
+  'skinned-creatures': 0.6,
+  'beside-rapier': 0.6,
+};
+/** Those that keep the size they began with. */
+const FIXED = ['webxr', 'beside-rapier'];
 /** Until what a page lets move or load has come to rest, milliseconds. */
 const REST = 2000;
 
@@ -70,7 +78,7 @@ async function addHeadset(page) {
 
 async function photograph(name) {
   const headset = name === 'webxr';
-  const page = await browser.newPage({ viewport: headset ? SIZE : SMALL });
+  const page = await browser.newPage({ viewport: FIXED.includes(name) ? SIZE : SMALL });
   page.setDefaultTimeout(120_000);
   if (headset) await addHeadset(page);
   await page.goto(`http://127.0.0.1:${port}/examples/${name}.html`);

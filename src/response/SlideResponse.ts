@@ -33,6 +33,8 @@ const LEAST_SLIDE = 0.06;
  * up: aside it would have to go far for what is but a little too near, or into the wall there.
  */
 const HOLDS_UP = 0.5;
+/** A wall that faces the way by less than this, a cosine, is beside it. */
+const BESIDE = 0.5;
 /** Radius of what feels for ground below an edge, as a part of the body's: texels hidden behind the edge leave gaps. */
 const FEELER_RATIO = 0.4;
 /** Parts of the axis that must be known-free: no farther apart than this, metres. */
@@ -164,7 +166,8 @@ export class SlideResponse {
     limits: SlideLimits,
     onward: boolean,
   ): boolean {
-    const part = timeOfImpact(memory, body, this.#put(0, -depth, 0), limits.skin);
+    const { skin } = limits;
+    const part = timeOfImpact(memory, body, this.#put(0, -depth, 0), skin - CLOSE);
     if (part === 1) return false;
     const { y } = body;
     body.y -= part * depth;
@@ -425,10 +428,19 @@ export class SlideResponse {
     const on = timeOfImpact(memory, body, this.#put(dx, 0, dz), clear);
     body.x = x + on * dx;
     body.z = z + on * dz;
-    const farther = on * (dx * dx + dz * dz);
+    let farther = on * (dx * dx + dz * dz);
+    if (on < 1) {
+      // Up a stair along its wall: the rest of the way beside that.
+      const slid = this.#slide(memory, body, (1 - on) * dx, (1 - on) * dz, y, limits);
+      const part = timeOfImpact(memory, body, slid, 0.5 * skin, skin - CLOSE);
+      body.x += part * slid.x;
+      body.z += part * slid.z;
+      farther += part * (slid.x * dx + slid.z * dz);
+    }
     if (up > NOTHING && farther > along + NOTHING * NOTHING) {
       const known = this.isKnown(memory, body);
-      const down = timeOfImpact(memory, body, this.#put(0, -up, 0), skin);
+      // Not quite to the skin: of walls that it touches, rounding would make floors.
+      const down = timeOfImpact(memory, body, this.#put(0, -up, 0), skin - CLOSE);
       body.y -= down * up;
       // Down on what it came from, nothing was climbed.
       if (known && body.y > y + NOTHING && this.#stands(memory, body, y - skin, limits)) {
@@ -440,6 +452,47 @@ export class SlideResponse {
     body.y = slidY;
     body.z = slidZ;
     return false;
+  }
+
+  /**
+   * What of a level way is left where it leads into walls.
+   *
+   * @param floor where the foot comes from: walls beside that may end below where the body is now
+   * @returns `#way`
+   */
+  #slide(
+    memory: FieldMemory,
+    body: Capsule,
+    x: number,
+    z: number,
+    floor: number,
+    limits: SlideLimits,
+  ): Solution {
+    const reach = limits.skin + Math.sqrt(x * x + z * z) + TOUCH;
+    const { y } = body;
+    this.#planes.clear();
+    this.#addWalls(findContacts(memory, body, reach, this.#ahead), x, z, -Infinity, limits);
+    body.y = floor;
+    this.#addWalls(findContacts(memory, body, reach, this.#ahead), x, z, -BESIDE, limits);
+    body.y = y;
+    const way = this.#put(x, 0, z);
+    solvePlanes(this.#planes, way);
+    way.y = 0;
+    return way;
+  }
+
+  /** Adds what stands in a level way as upright planes, but those that face it by more than `facing`, a cosine. */
+  #addWalls(set: ContactSet, x: number, z: number, facing: number, limits: SlideLimits): void {
+    const { normal } = set;
+    const least = facing * Math.sqrt(x * x + z * z);
+    for (let i = 0; i < set.count; i++) {
+      const nx = normal[3 * i]!;
+      const nz = normal[3 * i + 2]!;
+      const length = Math.sqrt(nx * nx + nz * nz);
+      // Floors and ceilings are in nobody's way.
+      if (length < 0.05 || nx * x + nz * z < least * length) continue;
+      this.#planes.add(nx / length, 0, nz / length, (limits.skin - set.gap[i]!) / length);
+    }
   }
 
   /** Does the body stand on a surface flat enough, no more than a step above `floor`, with room around it? */

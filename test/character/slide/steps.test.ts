@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { SOAK } from '../../support/soak.js';
-import { ground, kerb, stairs } from '../../support/world/scenes.js';
+import { block, ground, kerb, stairs } from '../../support/world/scenes.js';
 import { World } from '../../support/world/World.js';
 import { WorldWalker, type WalkerOptions } from '../../support/world/WorldWalker.js';
 
@@ -100,6 +100,23 @@ describe.each([
       expect(down, `down, ${latency} late`).toBeGreaterThan(least);
       expect(down, `down, ${latency} late`).toBeLessThan(speed * 1.05);
       expect(back, 'rises on the way down').toBeLessThan(0.004);
+      expect(walker.worst, walker.worstAt).toBeLessThan(0.01);
+    }
+  });
+});
+
+describe('stairs along a wall', () => {
+  it.each([1, 3, 10, 25])('should be walked up by who leans against it by %f°', (degrees) => {
+    const world = new World(
+      ground(),
+      ...stairs(10, 0.2, 0.35),
+      block([-2, -1, 1], [20, 6, 2], 'wall'),
+    );
+    for (const speed of [1, 3, 5]) {
+      const walker = new WorldWalker(world, { foot: [-0.8, 0.02, 0.6] }).settle(0.3);
+      const yaw = (degrees * Math.PI) / 180;
+      walker.walk(speed * Math.cos(yaw), speed * Math.sin(yaw)).run(6.5 / speed + 0.5);
+      expect(walker.foot.y, walker.story).toBeGreaterThan(2);
       expect(walker.worst, walker.worstAt).toBeLessThan(0.01);
     }
   });
