@@ -2,6 +2,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig, type UserConfig } from 'vite';
 import { contentPolicy } from './scripts/demo/contentPolicy.mjs';
 import { decoders } from './scripts/demo/decoders.mjs';
+import { leaveOut } from './scripts/demo/leaveOut.mjs';
 import { offline } from './scripts/demo/offline.mjs';
 import { rapierWasm } from './scripts/demo/rapierWasm.mjs';
 import { shortShaders } from './scripts/build/glsl.mjs';
@@ -24,7 +25,8 @@ const demo: UserConfig = {
   appType: 'mpa', // a missing level is an error, not the page itself
   resolve: { alias },
   server: { fs: { allow: [here('.')] } },
-  plugins: [contentPolicy(), decoders(), rapierWasm(), offline()],
+  // The tiles are of examples/tiles.html alone.
+  plugins: [contentPolicy(), decoders(), rapierWasm(), offline(), leaveOut('examples/tiles')],
   build: {
     outDir: here('dist-demo'),
     emptyOutDir: true,
