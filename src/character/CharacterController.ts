@@ -21,7 +21,7 @@ import type { Motion } from './Motion.js';
 import { type CharacterStats, SlideMotion } from './SlideMotion.js';
 
 /** The first frame's time stamp may lie this far before a clock that was made after it, seconds: no time has passed. */
-const CLOCK_SKEW = 0.1;
+const CLOCK_SKEW = 1;
 
 /** The part of a character that collides. */
 export interface CharacterBody {

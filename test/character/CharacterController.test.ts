@@ -223,7 +223,7 @@ describe('CharacterController, in bad frames', () => {
     const character = new CharacterController(new AnalyticCollider(floor()), {
       response: new AxisResponse(),
     });
-    character.update({}, {}, -0.007);
+    character.update({}, {}, -0.4);
     character.update({}, {}, 1 / 60);
     expect(warn).not.toHaveBeenCalled();
     character.update({}, {}, -0.007);
