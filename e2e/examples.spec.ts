@@ -47,10 +47,6 @@ for (const name of names) {
       { timeout: 60_000 },
     );
     await page.keyboard.up('KeyW');
-    if (process.env.EXAMPLE_PICTURES) {
-      await page.setViewportSize({ width: 960, height: 540 });
-      await page.screenshot({ path: `${process.env.EXAMPLE_PICTURES}/${name}.png` });
-    }
     await points[name]?.(page);
     expect(said).toEqual([]);
   });
