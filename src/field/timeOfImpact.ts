@@ -19,8 +19,14 @@ const CLOSE = 1e-5;
 /** How far beside a piece of a plane, in its extents, a place must lie to be some neighbour's for sure. */
 const ASIDE = 1.5;
 
-/** The axis before the way (x, z, lower and upper y), the way (x, y, z), the distance wanted, and what is passed over. */
-const query = /* @__PURE__ */ new Float64Array(9);
+/** What is approached by less than this part of the way is grazed: 6° from along it. */
+const GRAZING = 0.1;
+
+/**
+ * The axis before the way (x, z, lower and upper y), the way (x, y, z), the distance wanted, what is passed over, the
+ * distance wanted of what is grazed, and how much of an approach that is, metres.
+ */
+const query = /* @__PURE__ */ new Float64Array(11);
 
 /**
  * How much of a displacement the capsule can make until something is `gap` away from it: 0 to 1.
@@ -32,6 +38,7 @@ const query = /* @__PURE__ */ new Float64Array(9);
  * @param gap metres, may be 0 or less
  * @param near metres, `gap` or more
  * @param only if given, nothing but this object counts
+ * @param graze gap to what is passed nearly along its surface, metres, `gap` or less
  */
 export function timeOfImpact(
   memory: FieldMemory,
@@ -40,6 +47,7 @@ export function timeOfImpact(
   gap: number,
   near = gap,
   only: Object3D | null = null,
+  graze = gap,
 ): number {
   const { x, y, z } = way;
   const length = Math.sqrt(x * x + y * y + z * z);
@@ -50,6 +58,8 @@ export function timeOfImpact(
   query[6] = z;
   query[7] = radius + gap;
   query[8] = radius + near;
+  query[9] = radius + graze;
+  query[10] = graze < gap ? GRAZING * length : 0;
   let best = 1;
   for (let k = 0; k < memory.kept.length; k++) {
     const { surfels, again } = memory.kept[k]!;
@@ -91,12 +101,14 @@ function impact(surfels: Surfels, i: number, best: number): number {
     surfelDistance(surfels, i);
     const d = nearest[4]!;
     if (round === 0 && d <= query[8]!) return best;
-    const room = d - query[7]!;
+    let room = d - query[7]!;
     const nx = axis[0] - nearest[0]!;
     const ny = nearest[3]! - nearest[1]!;
     const nz = axis[1] - nearest[2]!;
     const approach = -(nx * x + ny * y + nz * z) / d;
     if (approach <= 1e-9) return best;
+    // The farther on the way, the less it is approached.
+    if (approach < query[10]!) room = d - query[9]!;
     if (room < CLOSE) break;
     t += room / approach;
     if (t >= best) return best;
@@ -117,7 +129,7 @@ function passesBy(piece: Float32Array, p: number): boolean {
   const x = query[4]!;
   const y = query[5]!;
   const z = query[6]!;
-  const wanted = query[7]!;
+  let wanted = query[7]!;
   const level = x * x + z * z;
   let t = level > 0 ? -(dx * x + dz * z) / level : 0;
   t = t < 0 ? 0 : t > 1 ? 1 : t;
@@ -136,6 +148,7 @@ function passesBy(piece: Float32Array, p: number): boolean {
   const nz = piece[p + 6]!;
   const base = nx * dx + nz * dz;
   const along = nx * x + ny * y + nz * z;
+  if (along < query[10]! && along > -query[10]!) wanted = query[9]!;
   const atLow = base + ny * low;
   const atHigh = base + ny * high;
   const lowFirst = Math.abs(atLow) <= Math.abs(atHigh);

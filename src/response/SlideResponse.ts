@@ -35,6 +35,8 @@ const LEAST_SLIDE = 0.06;
 const HOLDS_UP = 0.5;
 /** A wall that faces the way by less than this, a cosine, is beside it. */
 const BESIDE = 0.5;
+/** What a wall's normal rises by at most, or falls. */
+const UPRIGHT = 0.1;
 /** Radius of what feels for ground below an edge, as a part of the body's: texels hidden behind the edge leave gaps. */
 const FEELER_RATIO = 0.4;
 /** Parts of the axis that must be known-free: no farther apart than this, metres. */
@@ -421,37 +423,64 @@ export class SlideResponse {
     body.x = x;
     body.y = y;
     body.z = z;
-    const clear = 0.99 * skin;
     const lift = stepHeight + skin;
-    const up = lift * timeOfImpact(memory, body, this.#put(0, lift, 0), clear);
-    body.y = y + up;
-    const on = timeOfImpact(memory, body, this.#put(dx, 0, dz), clear);
-    body.x = x + on * dx;
-    body.z = z + on * dz;
-    let farther = on * (dx * dx + dz * dz);
-    if (on < 1) {
-      // Up a stair along its wall: the rest of the way beside that.
-      const slid = this.#slide(memory, body, (1 - on) * dx, (1 - on) * dz, y, limits);
-      const part = timeOfImpact(memory, body, slid, 0.5 * skin, skin - CLOSE);
-      body.x += part * slid.x;
-      body.z += part * slid.z;
-      farther += part * (slid.x * dx + slid.z * dz);
-    }
-    if (up > NOTHING && farther > along + NOTHING * NOTHING) {
-      const known = this.isKnown(memory, body);
-      // Not quite to the skin: of walls that it touches, rounding would make floors.
-      const down = timeOfImpact(memory, body, this.#put(0, -up, 0), skin - CLOSE);
-      body.y -= down * up;
-      // Down on what it came from, nothing was climbed.
-      if (known && body.y > y + NOTHING && this.#stands(memory, body, y - skin, limits)) {
-        this.climbed += body.y - y;
-        return true;
-      }
+    const up = lift * timeOfImpact(memory, body, this.#put(0, lift, 0), 0.99 * skin);
+    if (
+      up > NOTHING &&
+      (this.#stepOn(memory, body, dx, dz, up, true, along, limits) ||
+        this.#stepOn(memory, body, dx, dz, up, false, along, limits))
+    ) {
+      this.climbed += body.y - y;
+      return true;
     }
     body.x = slidX;
     body.y = slidY;
     body.z = slidZ;
     return false;
+  }
+
+  /**
+   * From `#from` up, on and down again.
+   *
+   * @param straight whether as far as it can straight on, or all of it along what stands beside the foot: a wall that ends
+   *   below the lifted body would let that come nearer, and not down
+   * @returns whether it stands there, higher and farther than before; if not, `body` is anywhere
+   */
+  #stepOn(
+    memory: FieldMemory,
+    body: Capsule,
+    dx: number,
+    dz: number,
+    up: number,
+    straight: boolean,
+    along: number,
+    limits: SlideLimits,
+  ): boolean {
+    const { skin } = limits;
+    const { x, y, z } = this.#from;
+    body.x = x;
+    body.y = y + up;
+    body.z = z;
+    const on = straight ? timeOfImpact(memory, body, this.#put(dx, 0, dz), 0.99 * skin) : 0;
+    body.x += on * dx;
+    body.z += on * dz;
+    let farther = on * (dx * dx + dz * dz);
+    if (on < 1) {
+      // Up a stair along its wall: the rest of the way beside that.
+      const slid = this.#slide(memory, body, (1 - on) * dx, (1 - on) * dz, y, limits);
+      // Nothing beside: that was tried.
+      if (!straight && slid.x === dx && slid.z === dz) return false;
+      const part = timeOfImpact(memory, body, slid, 0.5 * skin, skin - CLOSE);
+      body.x += part * slid.x;
+      body.z += part * slid.z;
+      farther += part * (slid.x * dx + slid.z * dz);
+    }
+    if (farther <= along + NOTHING * NOTHING || !this.isKnown(memory, body)) return false;
+    // Not quite to the skin: of walls that it touches, rounding would make floors.
+    const gap = skin - CLOSE;
+    body.y -= up * timeOfImpact(memory, body, this.#put(0, -up, 0), gap, gap, null, 0.5 * skin);
+    // Down on what it came from, nothing was climbed.
+    return body.y > y + NOTHING && this.#stands(memory, body, y - skin, limits);
   }
 
   /**
@@ -500,11 +529,13 @@ export class SlideResponse {
     const set = findContacts(memory, body, limits.skin + TOUCH, this.#ahead);
     let stands = false;
     for (let i = 0; i < set.count; i++) {
-      if (set.gap[i]! < 0.98 * limits.skin) return false;
-      if (set.normal[3 * i + 1]! < 0.01 || set.surfaceUp[i]! < limits.slope - SURFACE_SLACK)
-        continue;
-      if (set.point[3 * i + 1]! > floor + limits.stepHeight + STEP_SLACK) return false;
-      stands = true;
+      const up = set.normal[3 * i + 1]!;
+      const upright = up < UPRIGHT && up > -UPRIGHT;
+      // Walls may still push it out.
+      if (set.gap[i]! < (upright ? 0.5 : 0.98) * limits.skin) return false;
+      if (up < 0.01 || set.surfaceUp[i]! < limits.slope - SURFACE_SLACK) continue;
+      if (set.point[3 * i + 1]! <= floor + limits.stepHeight + STEP_SLACK) stands = true;
+      else if (!upright) return false;
     }
     return stands && this.isKnown(memory, body);
   }

@@ -3,6 +3,7 @@ import { SOAK } from '../../support/soak.js';
 import { block, ground, kerb, stairs } from '../../support/world/scenes.js';
 import { World } from '../../support/world/World.js';
 import { WorldWalker, type WalkerOptions } from '../../support/world/WorldWalker.js';
+import { Box } from '../../support/world/solids.js';
 
 const ANGLES = SOAK ? Array.from({ length: 31 }, (_, i) => 2.5 * i) : [0, 15, 30, 45, 60, 75];
 
@@ -120,6 +121,52 @@ describe('stairs along a wall', () => {
       expect(walker.worst, walker.worstAt).toBeLessThan(0.01);
     }
   });
+});
+
+describe('stairs beside a balustrade that rises with them', () => {
+  // Lifted for a step the body overlooks its top, comes nearer over that, and must come down beside it all the same.
+  const walks = (SOAK ? [0.5, 1, 2, 3, 6] : [0.5, 3]).flatMap((degrees) => [
+    { degrees, supersample: 1, above: 0.45, coping: false },
+    { degrees, supersample: 4, above: 0.6, coping: false },
+    { degrees, supersample: 1, above: 0.6, coping: true },
+    { degrees, supersample: 4, above: 0.45, coping: true },
+  ]);
+  it.each(walks)(
+    'should be walked up by who leans against that: by $degrees°, $above m, coping $coping, supersample $supersample',
+    ({ degrees, supersample, above, coping }) => {
+      const [count, rise, tread] = [12, 0.2, 0.35];
+      const bars = [slanted(rise, tread, above, 3, [1.5, 1.8])];
+      if (coping) bars.push(slanted(rise, tread, above + 0.08, 0.1, [1.44, 1.86]));
+      const world = new World(ground(), ...stairs(count, rise, tread, 3), ...bars);
+      const yaw = (degrees * Math.PI) / 180;
+      for (const [speed, x, z] of [
+        [3, -0.8, 1.1],
+        [3, -1.13, 1.1],
+        [6, -0.8, 1.1],
+        [6, -0.8, 0.7],
+      ] as const) {
+        const walker = new WorldWalker(world, { foot: [x, 0.02, z], supersample }).settle(0.1);
+        walker.walk(speed * Math.cos(yaw), speed * Math.sin(yaw)).run(5.5 / speed + 0.5);
+        expect(walker.foot.y, walker.story).toBeGreaterThan(2.3);
+        expect(walker.worst, walker.worstAt).toBeLessThan(-0.005);
+      }
+    },
+  );
+
+  /** A bar along the stairs from z to z, its top so far above the line through their edges. */
+  function slanted(
+    rise: number,
+    tread: number,
+    above: number,
+    high: number,
+    [from, to]: readonly [number, number],
+  ): Box {
+    const slope = Math.atan2(rise, tread);
+    const half = (high * Math.cos(slope)) / 2;
+    return new Box(15, half, (to - from) / 2, 'bar')
+      .at(half * Math.sin(slope), rise + above - half * Math.cos(slope), (from + to) / 2)
+      .turn({ roll: slope });
+  }
 });
 
 describe('stairs drawn four times finer, walked straight up', () => {
