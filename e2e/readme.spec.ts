@@ -45,6 +45,15 @@ test('it should walk in a level with React, as README says', async ({ page }) =>
   await walk(page, await buildReactPage(code, '.', 'quickstart-level'));
 });
 
+test('it should walk with React and WebGPURenderer, as README says', async ({ page }) => {
+  const [head, inside] = block('react webgpu').split('// in a Canvas with gl={gl}\n');
+  let code = replace(reactQuickStart, /import \{ Character \}.*\n/, head!);
+  code = replace(code, '<Canvas ', '<Canvas gl={gl} ');
+  code = replace(code, / *<Character .*\n/, inside!.replace(/;\s*$/, ''));
+  code = replace(code, 'WebGPURenderer(props)', 'WebGPURenderer({ ...props, forceWebGL: true })');
+  await walk(page, await buildReactPage(code, '.', 'quickstart-webgpu'));
+});
+
 const lines = (code: string) => code.trimEnd().split('\n').length;
 
 function replace(code: string, what: string | RegExp, by: string): string {
