@@ -9,8 +9,8 @@ import { root } from '../scripts/run.mjs';
 /**
  * How each bundler, left at its defaults for production, makes one file of an app.
  *
- * @type {Record<string, (entry: string, folder: string) => Promise<unknown>>} the app's main file, and where
- *   `bundle.js` goes
+ * @type {Record<string, (entry: string, folder: string, small: boolean) => Promise<unknown>>} the app's main file, where
+ *   `bundle.js` goes, and whether it has to be minified, three apart
  */
 const BUNDLERS = {
   Vite: (entry, folder) =>
@@ -29,7 +29,7 @@ const BUNDLERS = {
         },
       },
     }),
-  'webpack 5': (entry, folder) =>
+  'webpack 5': (entry, folder, small) =>
     new Promise((resolve, reject) => {
       webpack(
         {
@@ -38,8 +38,9 @@ const BUNDLERS = {
           output: { path: folder, filename: 'bundle.js', library: { type: 'module' } },
           experiments: { outputModule: true },
           performance: false,
-          // What is only opened need not be small, and Terser takes seconds.
-          optimization: { minimize: false },
+          // Terser takes seconds for three; what is only opened need not be small.
+          externals: small ? [/^three($|\/)/] : [],
+          optimization: { minimize: small },
         },
         (error, stats) => {
           if (error ?? stats?.hasErrors() ?? stats?.hasWarnings()) {
@@ -67,15 +68,16 @@ export const BUNDLER_NAMES = Object.keys(BUNDLERS);
  * @param {string} bundler
  * @param {string} project
  * @param {string} folder where the package is installed
+ * @param {boolean} [small] whether to minify it whatever that costs; webpack then leaves three outside
  * @returns {Promise<{ file: string, code: string }>}
  */
-export async function bundle(bundler, project, folder) {
+export async function bundle(bundler, project, folder, small = false) {
   const name = `${project}-${bundler.replace(/\W/g, '-')}`;
   const target = join(folder, name);
   cpSync(join(root, 'consumers/projects', project), target, { recursive: true });
   mkdirSync(target, { recursive: true });
   writeFileSync(join(target, 'package.json'), '{ "type": "module" }');
-  await BUNDLERS[bundler]?.(join(target, 'main.js'), target);
+  await BUNDLERS[bundler]?.(join(target, 'main.js'), target, small);
   const file = join(target, 'bundle.js');
   return { file, code: readFileSync(file, 'utf8') };
 }

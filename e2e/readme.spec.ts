@@ -1,38 +1,75 @@
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
+import sharp from 'sharp';
 import { buildReactPage } from './support/reactPage.js';
 import { expect, test } from './support/test.js';
 
 const readme = await readFile('README.md', 'utf8');
 
-const quickStart = /<!-- quick start.*?-->\s*```js\n(.*?)```/s.exec(readme)![1]!;
+/** The block of code below a comment that begins so. */
+const block = (comment: string) =>
+  new RegExp(`<!-- ${comment}:.*?-->\\s*\`\`\`jsx?\\n(.*?)\`\`\``, 's').exec(readme)![1]!;
+
+const quickStart = block('quick start');
+const withLevel = replace(quickStart, /const box = .*?\n(?=\n)/s, block('level'));
+const reactQuickStart = block('react quick start');
 
 test('@three the quick start of README should run as it stands, and walk', async ({ page }) => {
-  expect(quickStart.trimEnd().split('\n').length).toBeLessThanOrEqual(25);
+  expect(lines(quickStart)).toBeLessThanOrEqual(25);
   await walk(page, await write(quickStart));
 });
 
+test('it should walk in a level by GLTFLoader, as README says', async ({ page }) => {
+  await walk(page, await write(withLevel));
+});
+
 test('it should walk with WebGPURenderer, changed as README says', async ({ page }) => {
-  const [, diff] = /```diff\n(.*?)```/s.exec(readme)!;
-  const lines = diff!.trimEnd().split('\n');
-  let code = quickStart;
-  for (let i = 0; i < lines.length; i += 2) {
-    expect(code).toContain(lines[i]!.slice(1));
-    code = code.replace(lines[i]!.slice(1), lines[i + 1]!.slice(1));
-  }
-  // On the fallback: a headless browser shows no picture of WebGPU's.
-  code = code.replace(
-    'new WebGLRenderer({ antialias: true })',
-    'new WebGPURenderer({ antialias: true, forceWebGL: true })',
-  );
+  await walk(page, await write(onWebGPU(quickStart)));
+});
+
+test('it should walk in a level with WebGPURenderer, as README says', async ({ page }) => {
+  expect(readme).toContain('wants `await renderer.init()` before it');
+  const code = replace(onWebGPU(withLevel), 'scene.add((await', 'await renderer.init();\n$&');
   await walk(page, await write(code));
 });
 
 test('it should walk with React, as README says', async ({ page }) => {
-  const code = /<!-- react quick start.*?-->\s*```jsx\n(.*?)```/s.exec(readme)![1]!;
-  expect(code.trimEnd().split('\n').length).toBeLessThanOrEqual(25);
-  await walk(page, await buildReactPage(code, '.', 'quickstart'));
+  expect(lines(reactQuickStart)).toBeLessThanOrEqual(25);
+  await walk(page, await buildReactPage(reactQuickStart, '.', 'quickstart'));
 });
+
+test('it should walk in a level with React, as README says', async ({ page }) => {
+  const [head, inside] = block('react level').split('// in the Canvas\n');
+  let code = replace(reactQuickStart, /import \{ Canvas \}.*\n/, head!);
+  code = replace(code, / *<Box color=\{0x8f.*(?=<\/Canvas>)/s, inside!.replace(/;\s*$/, ''));
+  await walk(page, await buildReactPage(code, '.', 'quickstart-level'));
+});
+
+test('it should walk with React and WebGPURenderer, as README says', async ({ page }) => {
+  const [head, inside] = block('react webgpu').split('// in a Canvas with gl={gl}\n');
+  let code = replace(reactQuickStart, /import \{ Character \}.*\n/, head!);
+  code = replace(code, '<Canvas ', '<Canvas gl={gl} ');
+  code = replace(code, / *<Character .*\n/, inside!.replace(/;\s*$/, ''));
+  code = replace(code, 'WebGPURenderer(props)', 'WebGPURenderer({ ...props, forceWebGL: true })');
+  await walk(page, await buildReactPage(code, '.', 'quickstart-webgpu'));
+});
+
+const lines = (code: string) => code.trimEnd().split('\n').length;
+
+function replace(code: string, what: string | RegExp, by: string): string {
+  const changed = code.replace(what, by);
+  expect(changed).not.toBe(code);
+  return changed;
+}
+
+/** Changed as README's difference says; on the fallback, since a headless browser shows no picture of WebGPU's. */
+function onWebGPU(code: string): string {
+  const [, diff] = /```diff\n(.*?)```/s.exec(readme)!;
+  const pairs = [...diff!.matchAll(/^-(.*)\n\+(.*)\n/gm)];
+  expect(pairs.length).toBe(3);
+  for (const [, from, to] of pairs) code = replace(code, from!, to!);
+  return replace(code, '{ antialias: true }', '{ antialias: true, forceWebGL: true }');
+}
 
 /** @returns the address of a module with this code */
 async function write(code: string): Promise<string> {
@@ -53,9 +90,10 @@ async function walk(page: Page, script: string): Promise<void> {
   const canvas = page.locator('canvas');
   await expect(canvas).toBeVisible();
   const picture = async () => (await canvas.screenshot()).toString('base64');
+  // Neither white nor black: something is lit.
   await expect
-    .poll(async () => (await picture()).length, { timeout: 60_000 })
-    .toBeGreaterThan(10_000);
+    .poll(async () => contrast(await canvas.screenshot()), { timeout: 60_000 })
+    .toBeGreaterThan(20);
   // It has landed once two pictures in a row are the same.
   const rest = async () => {
     let last = '';
@@ -79,4 +117,10 @@ async function walk(page: Page, script: string): Promise<void> {
   await page.keyboard.up('KeyW');
   // It stops elsewhere than it began.
   expect(await rest()).not.toBe(before);
+}
+
+/** How much a picture's lights and darks differ, of 255. */
+async function contrast(png: Buffer): Promise<number> {
+  const { channels } = await sharp(png).stats();
+  return Math.max(...channels.slice(0, 3).map(({ stdev }) => stdev));
 }

@@ -20,12 +20,13 @@ const WALK = 1.5;
 const WALKS = {
   'moving-platforms': 2.2,
   sensors: 2,
+  ghosts: 7.5,
   'from-octree': 0.6,
   'skinned-creatures': 0.6,
   'beside-rapier': 0.6,
 };
 /** Those that keep the size they began with. */
-const FIXED = ['webxr', 'beside-rapier'];
+const FIXED = ['webxr'];
 /** Until what a page lets move or load has come to rest, milliseconds. */
 const REST = 2000;
 

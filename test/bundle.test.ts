@@ -54,12 +54,18 @@ describe('the package’s entries', () => {
       shipped(files, `export * from './index.js'; export * from './${name}'`);
     const react = (await both('react.js')) - root;
     const helpers = (await both('helpers.js')) - root;
+    // Its colliders are the root's unless told otherwise: who draws with WebGPURenderer ships those, too.
+    const nodes = [...(await buildPackage('lib-webgpu'))];
+    const other = "export * from './react.js'; export { CubeCollider } from './webgpu.js'";
+    const alone = await shipped(files, "export * from './react.js'");
+    const webgpu = (await shipped(new Map([...files, ...nodes]), other)) - alone;
     console.log(
-      `    besides the root: react ${react.toFixed(1)} kB, helpers ${helpers.toFixed(1)} kB`,
+      `    besides the root: react ${react.toFixed(1)} kB, helpers ${helpers.toFixed(1)} kB; besides react: WebGPU’s collider ${webgpu.toFixed(1)} kB`,
     );
     expect(react).toBeGreaterThan(1);
     expect(react).toBeLessThan(4);
     expect(helpers).toBeLessThan(10);
+    expect(webgpu).toBeLessThan(28);
   }, 60_000);
 
   it('should leave WebGLRenderer out of the one for WebGPU', async () => {

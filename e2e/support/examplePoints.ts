@@ -73,6 +73,19 @@ export const points: Record<string, (page: Page) => Promise<void>> = {
     );
   },
 
+  /** Through a curtain, over a bridge that nobody sees, into the grass. */
+  ghosts: async (page) => {
+    await page.keyboard.down('ShiftLeft');
+    await page.keyboard.down('KeyW');
+    await page.waitForFunction(
+      () => window.character.position.z < -5.5 && window.character.grounded,
+      null,
+      LONG,
+    );
+    await page.keyboard.up('KeyW');
+    await page.keyboard.up('ShiftLeft');
+  },
+
   /** A ball stops the character, which pushes it along. */
   'beside-rapier': async (page) => {
     const from = await page.evaluate(() => {

@@ -10,6 +10,7 @@ import { DrawStamp } from './DrawStamp.js';
 import type { Solidity, TransparentPolicy } from './isSolid.js';
 import { NewestRead } from './NewestRead.js';
 import type { ObjectProxy } from './objectProxy.js';
+import { ObjectWarnings } from './ObjectWarnings.js';
 import { PrivateScene } from './PrivateScene.js';
 import { SceneIndex } from './SceneIndex.js';
 import type { SelectionRules } from './SceneWalk.js';
@@ -57,14 +58,13 @@ export abstract class ColliderBase<Renderer> extends Object3D {
 
   readonly #settings: CubeColliderSettings;
   readonly #excluded = new Set<Object3D>();
-  readonly #index = new SceneIndex();
+  readonly #warnings = new Warnings('CubeCollider');
+  readonly #objectWarnings = new ObjectWarnings(this.#warnings);
+  readonly #index = new SceneIndex((sensor) => this.#objectWarnings.sensor(sensor));
   readonly #selection = new Selection(this.#index);
   readonly #survey = new Survey(this.#index);
   readonly #scene = new PrivateScene();
   readonly #newest: NewestRead;
-  /** Told of already. */
-  readonly #faulty = new WeakSet<Object3D>();
-  readonly #warnings = new Warnings('CubeCollider');
   #gpu: CubemapDevice<Renderer> | null = null;
   #host: DeviceHost<Renderer> | null = null;
   #far: number;
@@ -112,7 +112,7 @@ export abstract class ColliderBase<Renderer> extends Object3D {
       excluded: this.#excluded,
       transparent: settings.transparent,
       filter: (object) => this.#passes(object),
-      faulty: (mesh, fault) => this.#tellOf(mesh, fault),
+      faulty: (mesh, fault) => this.#objectWarnings.obstacle(mesh, fault),
     };
     this.filter = settings.filter;
     this.#newest = new NewestRead(settings, this.stats);
@@ -406,14 +406,6 @@ export abstract class ColliderBase<Renderer> extends Object3D {
       this.#warnings.once(`"filter" threw ${String(error)}; the object counts as solid.`, 'filter');
       return true;
     }
-  }
-
-  /** Says once of each object why it is no obstacle. */
-  #tellOf(object: Object3D, fault: string): void {
-    if (this.#faulty.has(object)) return;
-    this.#faulty.add(object);
-    const name = object.name === '' ? object.uuid : `"${object.name}"`;
-    this.#warnings.once(`${object.type} ${name} ${fault}; it is no obstacle.`, object.uuid);
   }
 
   #stampNow(): DrawStamp {

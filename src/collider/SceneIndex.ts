@@ -51,6 +51,12 @@ export class SceneIndex {
   #watched = 0;
   #lost = false;
   #sorted = true;
+  readonly #idle: (sensor: Object3D) => void;
+
+  /** @param idle told, each time it is looked at, of a sensor without a geometry, which reports nothing */
+  constructor(idle: (sensor: Object3D) => void = () => {}) {
+    this.#idle = idle;
+  }
 
   /** Number of the last call. */
   get call(): number {
@@ -215,6 +221,7 @@ export class SceneIndex {
     const at = 4 * node.slot;
     const placed = !!mesh.geometry?.attributes?.position;
     if (!(mesh.isMesh || sensor) || (sensor && !placed)) {
+      if (sensor) this.#idle(mesh);
       this.#spheres[at + 3] = NOWHERE;
       return false;
     }

@@ -1,4 +1,4 @@
-import { Scene } from 'three';
+import { Group, Scene } from 'three';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { CubeCollider } from 'three-cube-collider';
 import { box } from '../support/meshes.js';
@@ -38,6 +38,41 @@ describe('a collider’s survey', () => {
     expect(collider.survey(new Scene())).toEqual(nothing);
     expect(warn).toHaveBeenCalledTimes(3);
     for (const [message] of warn.mock.calls) expect(message).toMatch(/^CubeCollider: /);
+  });
+});
+
+describe('a sensor without a geometry', () => {
+  afterEach(() => vi.restoreAllMocks());
+
+  it('should be warned of once, wherever it is and whatever it holds but sensors', () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+    const group = (name: string, ...children: Parameters<Group['add']>) => {
+      const made = new Group();
+      if (children.length > 0) made.add(...children);
+      made.name = name;
+      made.userData.sensor = true;
+      return made;
+    };
+    const coin = box();
+    coin.userData.sensor = true;
+    const far = group('far');
+    far.position.x = 1000;
+    const scene = new Scene().add(
+      group('goal'),
+      far,
+      group('of walls', box()),
+      group('of coins', new Group().add(coin)),
+      box(),
+    );
+    const collider = new CubeCollider();
+    for (let i = 0; i < 20; i++) expect(collider.survey(scene).sensors).toEqual([coin]);
+    const said = (name: string) =>
+      `CubeCollider: the sensor Group "${name}" has no geometry, so nobody is ever in it; set userData.sensor = true on a mesh.`;
+    expect(warn.mock.calls).toEqual([[said('goal')], [said('far')], [said('of walls')]]);
+    const late = group('late');
+    scene.add(late);
+    collider.survey(scene);
+    expect(warn.mock.calls.slice(3)).toEqual([[said('late')]]);
   });
 });
 

@@ -1,0 +1,47 @@
+import type { Mesh, Object3D } from 'three';
+import type { Warnings } from '../Warnings.js';
+
+/** Says once of each of the user's objects why it does not do what it seems to be there for. */
+export class ObjectWarnings {
+  readonly #warnings: Warnings;
+  /** Looked at already. */
+  readonly #known = new WeakSet<Object3D>();
+
+  constructor(warnings: Warnings) {
+    this.#warnings = warnings;
+  }
+
+  /** Of a mesh that cannot be drawn. */
+  obstacle(mesh: Mesh, fault: string): void {
+    if (this.#isNew(mesh)) this.#warn(`${nameOf(mesh)} ${fault}; it is no obstacle.`, mesh);
+  }
+
+  /** Of a sensor without a geometry of its own: nobody is ever in it. One that only holds sensors is all right. */
+  sensor(object: Object3D): void {
+    if (!this.#isNew(object) || holdsSensor(object)) return;
+    const what = `the sensor ${nameOf(object)} has no geometry, so nobody is ever in it`;
+    this.#warn(`${what}; set userData.sensor = true on a mesh.`, object);
+  }
+
+  #isNew(object: Object3D): boolean {
+    if (this.#known.has(object)) return false;
+    this.#known.add(object);
+    return true;
+  }
+
+  #warn(message: string, object: Object3D): void {
+    this.#warnings.once(message, object.uuid);
+  }
+}
+
+function nameOf({ type, name, uuid }: Object3D): string {
+  return `${type} ${name === '' ? uuid : `"${name}"`}`;
+}
+
+function holdsSensor(object: Object3D): boolean {
+  return object.children.some(
+    (child) =>
+      (child.userData.sensor === true && !!(child as Mesh).geometry?.attributes?.position) ||
+      holdsSensor(child),
+  );
+}
