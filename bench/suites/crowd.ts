@@ -18,6 +18,8 @@ import { watchTasks } from './watchTasks.js';
 const COUNTS = [1, 10, 100];
 /** As many draw each for themselves: of more the GPU's memory would be the figure. */
 const MOST_ALONE = 10;
+/** Texels per face edge of a crowd that makes do with fewer. */
+const COARSE = 16;
 /** Metres between two at the beginning. */
 const APART = 3;
 const SETTLING = 300;
@@ -82,6 +84,8 @@ async function enter(
     if (rendering === null) cannot(nameOf(backend), 'not in this browser');
     else crowds.push(await enterOurs(rendering, place, count, true));
   }
+  const coarse = await tryRendering('WebGL2');
+  if (coarse !== null) crowds.push(await enterOurs(coarse, place, count, true, COARSE));
   const alone = await tryRendering('WebGL2');
   if (count === 1 || alone === null) {
     if (alone) disposeRendering(alone);
@@ -103,6 +107,7 @@ async function enter(
 }
 
 const aloneOf = (backend: Backend) => `${nameOf(backend)}, without a group`;
+const coarseOf = (backend: Backend) => `${nameOf(backend)}, resolution ${COARSE}`;
 
 /** Where each begins: a square around the middle. */
 function startOf(i: number, count: number): Vector3 {
@@ -111,12 +116,13 @@ function startOf(i: number, count: number): Vector3 {
   return new Vector3(APART * ((i % edge) - middle), 1.3, APART * (Math.floor(i / edge) - middle));
 }
 
-/** Ours, in one group or each for itself. */
+/** Ours, in one group or each for itself. @param resolution 32 if left out, the default */
 export async function enterOurs(
   rendering: Rendering,
   { scene }: Place,
   count: number,
   grouped: boolean,
+  resolution?: number,
 ): Promise<Crowd> {
   const { renderer, backend } = rendering;
   const group = new CubeColliderGroup<WebGLRenderer>();
@@ -124,7 +130,7 @@ export async function enterOurs(
   const colliders: CubeCollider[] = [];
   const characters: CharacterController<WebGLRenderer, Scene>[] = [];
   for (let i = 0; i < count; i++) {
-    const collider = rendering.collider();
+    const collider = rendering.collider({ resolution });
     if (grouped) group.add(collider);
     colliders.push(collider);
     characters.push(new CharacterController(collider, { radius, height, gravity, jumpHeight }));
@@ -153,7 +159,7 @@ export async function enterOurs(
   let before = counted();
   let walked = 1;
   return {
-    name: grouped ? nameOf(backend) : aloneOf(backend),
+    name: (!grouped ? aloneOf : resolution === COARSE ? coarseOf : nameOf)(backend),
     async place() {
       characters.forEach((character, i) => character.teleport(startOf(i, count)));
       for (let i = 0; i < SETTLING && characters.some(({ grounded }) => !grounded); i++) {
