@@ -63,6 +63,7 @@ function start(screen: StartScreen, rendering: Rendering) {
   const overlays = new Overlays({
     ...{ renderer, scene, controls, settings, apply, ui },
     ...{ character: player.character, collider: player.collider },
+    preferredView: () => choices.preferences.view,
   });
   const quality = parameters.adaptive || parameters.quality ? new Quality(renderer, scene) : null;
   const panel = ui ? createPanel(settings, rendering, (what) => choices.chosen(what)) : null;

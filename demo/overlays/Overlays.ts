@@ -27,6 +27,8 @@ export interface OverlaysOptions {
   settings: Settings;
   /** Called after `settings` were changed. */
   apply: (what: Change) => void;
+  /** The view that the user has chosen last. */
+  preferredView: () => Settings['view'];
 }
 
 /** A helper that stands in the scene. */
@@ -52,7 +54,7 @@ export class Overlays {
     this.#options = options;
     this.#character = options.character as CharacterController;
     this.#collider = options.collider;
-    this.#behind = new StepBehind(options.settings, options.apply);
+    this.#behind = new StepBehind(options.settings, options.apply, options.preferredView);
     this.#list = options.ui ? new OverlayList((name) => this.#toggle(name)) : null;
     const column = document.createElement('div');
     column.className = 'overlays';

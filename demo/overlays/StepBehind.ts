@@ -9,12 +9,21 @@ const AT_FEET: readonly OverlayName[] = ['surfels', 'contacts', 'body'];
 export class StepBehind {
   readonly #settings: Pick<Settings, 'view'>;
   readonly #apply: (what: 'view') => void;
+  readonly #preferred: () => Settings['view'];
   #stepped = false;
 
-  /** @param apply called after the settings' view was changed */
-  constructor(settings: Pick<Settings, 'view'>, apply: (what: 'view') => void) {
+  /**
+   * @param apply called after the settings' view was changed
+   * @param preferred what the user has chosen last, to which it goes back
+   */
+  constructor(
+    settings: Pick<Settings, 'view'>,
+    apply: (what: 'view') => void,
+    preferred: () => Settings['view'],
+  ) {
     this.#settings = settings;
     this.#apply = apply;
+    this.#preferred = preferred;
   }
 
   /**
@@ -32,6 +41,7 @@ export class StepBehind {
       notify('Third person, as long as this is shown');
     } else if (this.#stepped && !AT_FEET.some(has)) {
       this.#stepped = false;
+      if (this.#preferred() === 'third') return;
       this.#look('first');
       notify('First person again');
     }

@@ -28,6 +28,8 @@ export class Choices {
   readonly #kept: KeptPreferences;
   /** Whether the system asks for less motion. */
   #stillSystem = false;
+  /** The view that was preferred when the preferences were followed last. */
+  #followed: Settings['view'] | null = null;
 
   constructor(page: Choosable) {
     const { settings, controls, parameters } = page;
@@ -61,7 +63,7 @@ export class Choices {
   chosen(what: Change): void {
     const { settings, canvas } = this.#page;
     if (what === 'view') {
-      this.preferences.view = settings.view;
+      this.preferences.view = this.#followed = settings.view;
       this.#kept.save();
       announce(settings.view === 'first' ? 'First person' : 'Third person');
     }
@@ -89,7 +91,8 @@ export class Choices {
     followPreferences(controls, this.preferences);
     controls.smoothing = still ? Infinity : 1;
     document.documentElement.classList.toggle('still', still);
-    settings.view = view;
+    // What is shown at the feet may hold another view: that one ends by another choice of the view alone.
+    if (view !== this.#followed) settings.view = this.#followed = view;
     this.#page.apply('view');
     this.#page.prefer(this.preferences);
     showKeys(keys);
