@@ -128,8 +128,9 @@ export class Overlays {
 
   /** Once a frame, after the picture was drawn. */
   tell(delta: number): void {
-    if (!this.#on.has('numbers')) return;
-    this.#numbers.update(delta, this.#character, this.#collider, this.#options.renderer);
+    const { renderer } = this.#options;
+    if (!this.#on.has('numbers')) this.#numbers.rest();
+    else this.#numbers.update(delta, this.#character, this.#collider, renderer);
   }
 
   /** Tells the page what is shown. */
