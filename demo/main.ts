@@ -7,6 +7,7 @@ import { fit } from './fit.js';
 import { handleOf } from './handle.js';
 import { MouseHint } from './hud/MouseHint.js';
 import { type Change, createPanel, settingsOf } from './hud/panel.js';
+import { showFocus } from './hud/showFocus.js';
 import { createLevels } from './level/createLevels.js';
 import type { Level } from './level/Level.js';
 import { loadLevel } from './level/loadLevel.js';
@@ -171,6 +172,7 @@ function start(screen: StartScreen, rendering: Rendering) {
   function walk(capture = true): void {
     controls.enabled = true;
     document.body.classList.add('walking');
+    choices.walk();
     opening?.end(settings.view);
     // Whoever picked a file left the window.
     if (pause.paused) pause.resume();
@@ -237,6 +239,7 @@ declare global {
 }
 
 keepForOffline();
+showFocus();
 const screen = new StartScreen(() => window.demo.walk());
 openRendering(
   canvas,

@@ -28,12 +28,15 @@ export class Choices {
   readonly #kept: KeptPreferences;
   /** Whether the system asks for less motion. */
   #stillSystem = false;
+  /** Whether nobody has walked yet: then the camera is where it belongs at once. */
+  #waiting: boolean;
   /** The view that was preferred when the preferences were followed last. */
   #followed: Settings['view'] | null = null;
 
   constructor(page: Choosable) {
     const { settings, controls, parameters } = page;
     this.#page = page;
+    this.#waiting = parameters.ui;
     this.#kept = createPreferences(controls, parameters.ui, () => this.#follow());
     this.preferences.view = parameters.view ?? this.preferences.view;
     onKeys(this.preferences, () => controls.enabled, {
@@ -57,6 +60,12 @@ export class Choices {
       this.#stillSystem = reduced;
       this.#follow();
     });
+  }
+
+  /** One walks from now on. */
+  walk(): void {
+    this.#waiting = false;
+    this.#smooth();
   }
 
   /** A choice in the panel or by a key, which lasts. */
@@ -86,15 +95,20 @@ export class Choices {
 
   #follow(): void {
     const { settings, controls } = this.#page;
-    const { motion, view, keys } = this.preferences;
-    const still = motion === 'system' ? this.#stillSystem : motion === 'reduced';
+    const { view, keys } = this.preferences;
     followPreferences(controls, this.preferences);
-    controls.smoothing = still ? Infinity : 1;
-    document.documentElement.classList.toggle('still', still);
+    this.#smooth();
     // What is shown at the feet may hold another view: that one ends by another choice of the view alone.
     if (view !== this.#followed) settings.view = this.#followed = view;
     this.#page.apply('view');
     this.#page.prefer(this.preferences);
     showKeys(keys);
+  }
+
+  #smooth(): void {
+    const { motion } = this.preferences;
+    const still = motion === 'system' ? this.#stillSystem : motion === 'reduced';
+    this.#page.controls.smoothing = still || this.#waiting ? Infinity : 1;
+    document.documentElement.classList.toggle('still', still);
   }
 }
