@@ -1,6 +1,7 @@
 import { type Object3D, WebGLRenderer } from 'three';
 import { CubeCollider, type CubeColliderOptions } from 'three-cube-collider';
 import { CubemapView } from './overlays/CubemapView.js';
+import type { Parameters } from './parameters.js';
 
 /** Shows what a collider sees. */
 export interface ColliderView {
@@ -35,4 +36,24 @@ export function createWebGLRendering(canvas: HTMLCanvasElement, antialias: boole
     createView: (collider) => new CubemapView(collider),
     translate: () => {},
   };
+}
+
+/** Opens the one that the page's address asks for: three's own at once, the second, as large again, once it is loaded. */
+export function openRendering(
+  canvas: HTMLCanvasElement,
+  { quality, renderer }: Parameters,
+  opened: (rendering: Rendering) => void,
+  failed: (error: unknown) => void,
+): void {
+  const antialias = quality !== 'low';
+  try {
+    if (renderer === 'webgl') opened(createWebGLRendering(canvas, antialias));
+    else
+      void import('./webgpu/createWebGPURendering.js')
+        .then((module) => module.createWebGPURendering(canvas, antialias, renderer === 'fallback'))
+        .then(opened)
+        .catch(failed);
+  } catch (error) {
+    failed(error);
+  }
 }

@@ -71,6 +71,46 @@ async function standsAndWalks(page: Page, ground?: number): Promise<void> {
 
 const placing = (page: Page) => page.evaluate(() => window.demo.level!.placing);
 
+/** What the menu makes of the level, by real clicks; it stands where that puts it, and the menu tells how large that is. */
+async function adjusts(page: Page): Promise<void> {
+  const panel = page.getByRole('region', { name: 'Level', exact: true });
+  const is = async (expected: object, size: string, ground: number | null) => {
+    expect(await placing(page)).toEqual(expected);
+    await expect(panel.locator('legend')).toHaveText(`yard.glb: ${size} m`);
+    await expect.poll(() => page.evaluate(() => window.demo.character.grounded), soon).toBe(true);
+    const [, y] = await foot(page);
+    if (ground !== null) expect(Math.abs(y! - ground), size).toBeLessThan(STANDS);
+  };
+  await page.getByRole('button', { name: 'Level', exact: true }).click();
+  await panel.getByRole('button', { name: 'Larger' }).click();
+  await is({ up: '+Y', scale: 1.25, floor: false }, '20 × 4.3 × 15', 0);
+  await panel.getByLabel('Scale').fill('0.5');
+  await page.keyboard.press('Enter');
+  await is({ up: '+Y', scale: 0.5, floor: false }, '8 × 1.7 × 6.1', 0);
+  await panel.getByLabel('Scale').fill('-3');
+  await page.keyboard.press('Enter');
+  await expect(panel.getByLabel('Scale')).toHaveValue('0.5');
+  await panel.getByLabel('Up axis').selectOption('+Z');
+  await is({ up: '+Z', scale: 0.5, floor: false }, '8 × 6.1 × 1.7', null);
+  await panel.getByLabel('Floor below').check();
+  const bottom = await page.evaluate(() => window.demo.level!.bounds.min.y);
+  await is({ up: '+Z', scale: 0.5, floor: true }, '8 × 6.1 × 1.7', bottom);
+  await panel.getByRole('button', { name: 'Reset' }).click();
+  await is({ up: '+Y', scale: 1, floor: false }, '16 × 3.4 × 12', 0);
+
+  // The keys walk again at once, to a start of one's own, and from there.
+  const start = await foot(page);
+  await standsAndWalks(page, 0);
+  await panel.getByRole('button', { name: 'Start here' }).click();
+  const here = await foot(page);
+  await standsAndWalks(page, 0);
+  await panel.getByRole('button', { name: 'Back to start' }).click();
+  await expect.poll(() => page.evaluate(() => window.demo.character.grounded), soon).toBe(true);
+  const way = (from: number[], to: number[]) => Math.hypot(from[0]! - to[0]!, from[2]! - to[2]!);
+  expect(way(await foot(page), here)).toBeLessThan(0.1);
+  expect(way(start, here)).toBeGreaterThan(0.3);
+}
+
 test('walks in what is dropped, however it is measured, turned and packed', async ({ page }) => {
   await open(page);
 
@@ -78,6 +118,7 @@ test('walks in what is dropped, however it is measured, turned and packed', asyn
   await standsAndWalks(page, 0);
   expect(await placing(page)).toEqual({ up: '+Y', scale: 1, floor: false });
   await expect(page.locator('.level-news')).toContainText('yard.glb is 16 × 3.4 × 12 m');
+  await test.step('is adjusted under “Level”', () => adjusts(page));
 
   await drop(page, [await asGlb('centimetres.glb', yard({ units: 100 }))]);
   await standsAndWalks(page, 0);

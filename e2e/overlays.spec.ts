@@ -87,6 +87,14 @@ test.describe('in the demo', () => {
         () => window.demo.scene.children.find(({ type }) => type === 'SurfelsHelper')!.visible,
       ),
     ).toBe(false);
+    // A setting that changes meanwhile changes nothing of that.
+    await page.keyboard.press('Escape');
+    await page.getByRole('dialog').getByRole('button', { name: 'Settings' }).tap();
+    const settings = page.getByRole('dialog', { name: 'Settings' });
+    await settings.getByLabel('Field of view').fill('80');
+    await settings.getByRole('button', { name: 'Done' }).tap();
+    await page.getByRole('button', { name: 'Go on' }).tap();
+    expect(await page.evaluate(() => window.demo.controls.view)).toBe('third');
     for (const name of ['Contacts', 'Body']) await list.getByRole('button', { name }).tap();
     expect(await page.evaluate(() => window.demo.controls.view)).toBe('first');
 
@@ -95,7 +103,13 @@ test.describe('in the demo', () => {
     await expect(list.getByRole('button', { name: 'Surfaces' })).toBeHidden();
     await page.getByRole('button', { name: 'Level', exact: true }).tap();
     await expect(page.getByText('of it, for colliding')).toBeVisible();
-    await page.getByRole('button', { name: 'Switch the view' }).tap();
-    expect(await page.evaluate(() => window.demo.settings.view)).toBe('third');
+    // A view that one chooses stays when the last of them goes.
+    await page.keyboard.press('Digit4');
+    for (const view of ['first', 'third']) {
+      await page.getByRole('button', { name: 'Switch the view' }).tap();
+      expect(await page.evaluate(() => window.demo.settings.view)).toBe(view);
+    }
+    await page.keyboard.press('Digit4');
+    expect(await page.evaluate(() => window.demo.controls.view)).toBe('third');
   });
 });

@@ -20,7 +20,7 @@ const SCENES = [
     // Over the bridge, along its railing.
     async begin() {
       const { demo } = window;
-      demo.helper.size = 150;
+      demo.helper.size = 190;
       demo.character.teleport(demo.spawn.clone().set(-22.4, 3.02, -10.6));
       demo.controls.yaw = -1.42;
       demo.controls.pitch = -0.1;
@@ -57,7 +57,7 @@ const SCENES = [
       const back = hall.creature.joint(3.2).getWorldPosition(demo.spawn.clone());
       character.teleport(back.setY(back.y + 1.1));
       demo.controls.yaw = -0.68;
-      demo.controls.pitch = -0.34;
+      demo.controls.pitch = -0.46;
       demo.controls.distance = 5.6;
       await demo.step(12);
     },

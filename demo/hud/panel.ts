@@ -1,6 +1,7 @@
 import { GUI } from 'lil-gui';
+import { DEFAULTS } from 'three-cube-collider';
 import { element } from '../page.js';
-import { RESOLUTIONS } from '../parameters.js';
+import { type Parameters, RESOLUTIONS } from '../parameters.js';
 import type { Rendering } from '../rendering.js';
 import { onePopup } from './onePopup.js';
 
@@ -14,6 +15,14 @@ export interface Settings {
   readback: 'async' | 'sync';
   helper: boolean;
 }
+
+/** What one begins with. */
+export const settingsOf = ({ output, response, resolution, helper }: Parameters): Settings => ({
+  view: 'first',
+  ...{ output, response, resolution, helper },
+  supersample: DEFAULTS.collider.supersample,
+  readback: DEFAULTS.collider.readback,
+});
 
 /** What a change of the settings asks for: another response, or another collider. */
 export type Change = 'view' | 'helper' | 'response' | 'collider';

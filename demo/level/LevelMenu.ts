@@ -1,5 +1,6 @@
 import { Vector3 } from 'three';
 import { onePopup } from '../hud/onePopup.js';
+import { element } from '../page.js';
 import { EXAMPLES } from './examples.js';
 import type { Level, Placing } from './Level.js';
 import { UPS } from './orientation.js';
@@ -24,7 +25,7 @@ const MARKUP = `
     <p class="level-about"><span>or drop a .glb, or a .gltf with its files, anywhere. </span>It stays on this device.</p>
     <fieldset class="level-adjust" disabled>
       <legend></legend>
-      <label>Scale <span><button type="button" data-by="0.8" aria-label="Smaller">−</button><input name="scale" type="number" min="0.000001" max="1000000" step="any" inputmode="decimal" /><button type="button" data-by="1.25" aria-label="Larger">+</button></span></label>
+      <label for="level-scale">Scale <span><button type="button" data-by="0.8" aria-label="Smaller">−</button><input id="level-scale" name="scale" type="number" min="0.000001" max="1000000" step="any" inputmode="decimal" /><button type="button" data-by="1.25" aria-label="Larger">+</button></span></label>
       <label>Up axis <select name="up"></select></label>
       <label>Floor below <input name="floor" type="checkbox" /></label>
       <div class="level-row"><button type="button" data-do="guess">Reset</button></div>
@@ -61,7 +62,10 @@ export class LevelMenu {
     this.#floor = find('[name=floor]');
     for (const up of UPS) this.#up.add(new Option(up));
     find('.level-list').append(...EXAMPLES.map((each) => this.#item(each)));
-    this.#toggle.addEventListener('click', () => this.open(this.#panel.hidden === true));
+    this.#toggle.addEventListener('click', ({ detail }) => {
+      this.open(this.#panel.hidden === true);
+      if (this.#panel.hidden === true && detail > 0) walkOn();
+    });
     for (const opener of document.querySelectorAll('[data-opens="level"]')) {
       opener.addEventListener('click', () => {
         this.open(true);
@@ -72,7 +76,7 @@ export class LevelMenu {
     this.#scale.addEventListener('change', () => this.#setScale(Number(this.#scale.value)));
     this.#up.addEventListener('change', () => this.#place({ up: UPS[this.#up.selectedIndex]! }));
     this.#floor.addEventListener('change', () => this.#place({ floor: this.#floor.checked }));
-    root.addEventListener('click', ({ target }) => this.#clicked(target as HTMLElement));
+    root.addEventListener('click', (event) => this.#clicked(event));
     root.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') this.open(false);
       event.stopPropagation(); // typed, not walked
@@ -110,12 +114,14 @@ export class LevelMenu {
     return item;
   }
 
-  #clicked({ dataset }: HTMLElement): void {
+  #clicked({ target, detail }: MouseEvent): void {
+    const { dataset } = target as HTMLElement;
     if (dataset.by !== undefined && this.#level !== null)
       this.#setScale(this.#level.placing.scale * Number(dataset.by));
     if (dataset.do === 'again') this.#actions.again();
     if (dataset.do === 'here') this.#actions.here();
     if (dataset.do === 'guess' && this.#level !== null) this.#place(this.#level.guessed);
+    if (detail > 0 && dataset.do !== undefined) walkOn();
   }
 
   #setScale(scale: number): void {
@@ -128,6 +134,9 @@ export class LevelMenu {
     if (this.#level !== null) this.show(this.#level);
   }
 }
+
+/** After a click, not a key's press: the keys are for walking again. */
+const walkOn = () => element('picture').focus({ preventScroll: true });
 
 /** Two digits that count. */
 export const metres = (length: number) =>

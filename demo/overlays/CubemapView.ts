@@ -2,6 +2,7 @@ import type { WebGLRenderer } from 'three';
 import type { CubeCollider } from 'three-cube-collider';
 import { CubeColliderHelper } from 'three-cube-collider/helpers';
 import type { ColliderView } from '../rendering.js';
+import { hasMouse } from '../page.js';
 import { FieldView } from './FieldView.js';
 
 /** What a collider sees: its field, or the atlas itself in the paper's mode, of which six numbers come back alone. */
@@ -9,6 +10,8 @@ export class CubemapView implements ColliderView {
   visible = true;
   readonly #atlas: CubeColliderHelper;
   readonly #field: FieldView;
+  /** Where thumbs walk, the atlas' corner is theirs: the field's canvas then shows the paper's six maxima. */
+  readonly #corner = hasMouse();
   #collider: CubeCollider;
 
   constructor(collider: CubeCollider) {
@@ -31,7 +34,7 @@ export class CubemapView implements ColliderView {
   }
 
   render(renderer: WebGLRenderer): void {
-    const axis = this.#collider.output === 'axis';
+    const axis = this.#collider.output === 'axis' && this.#corner;
     const field = this.visible && !axis;
     if (this.#field.visible !== field) this.#field.visible = field;
     this.#field.render();

@@ -97,6 +97,12 @@ export class Numbers {
     this.#seconds = this.#frames = this.#moving = 0;
   }
 
+  /** Nobody looks: what goes on meanwhile is no part of what is told next. */
+  rest(): void {
+    this.#collider = null;
+    this.#seconds = this.#frames = this.#moving = 0;
+  }
+
   #tell(character: CharacterController, collider: CubeCollider, renderer: WebGLRenderer): void {
     const { stats } = collider;
     const frames = this.#frames;

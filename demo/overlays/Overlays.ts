@@ -1,5 +1,5 @@
 import type { Object3D, Scene, WebGLRenderer } from 'three';
-import type { CharacterController, CubeCollider } from 'three-cube-collider';
+import type { CharacterController, CharacterControls, CubeCollider } from 'three-cube-collider';
 import {
   CharacterHelper,
   ContactsHelper,
@@ -7,11 +7,12 @@ import {
   ReadbackTimeline,
   SurfelsHelper,
 } from 'three-cube-collider/helpers';
+import type { Change, Settings } from '../hud/panel.js';
 import { OVERLAYS, type OverlayName } from './kinds.js';
 import { Numbers } from './Numbers.js';
 import { OverlayList } from './OverlayList.js';
 import { RestingStrip } from './RestingStrip.js';
-import { StepBehind, type ViewChoice } from './StepBehind.js';
+import { StepBehind } from './StepBehind.js';
 
 export interface OverlaysOptions {
   renderer: WebGLRenderer;
@@ -20,11 +21,14 @@ export interface OverlaysOptions {
   collider: CubeCollider;
   /** Whether there is a list of them on the page. */
   ui: boolean;
-  /** Whether keys count now. */
-  listening: () => boolean;
-  /** The unfolded cubemap, which the settings know too. */
-  cubemap: { get: () => boolean; set: (on: boolean) => void };
-  view: ViewChoice;
+  /** Keys count while they do. */
+  controls: CharacterControls;
+  /** They know of the view and of the unfolded cubemap, too. */
+  settings: Settings;
+  /** Called after `settings` were changed. */
+  apply: (what: Change) => void;
+  /** The view that the user has chosen last. */
+  preferredView: () => Settings['view'];
 }
 
 /** A helper that stands in the scene. */
@@ -50,7 +54,7 @@ export class Overlays {
     this.#options = options;
     this.#character = options.character as CharacterController;
     this.#collider = options.collider;
-    this.#behind = new StepBehind(options.view);
+    this.#behind = new StepBehind(options.settings, options.apply, options.preferredView);
     this.#list = options.ui ? new OverlayList((name) => this.#toggle(name)) : null;
     const column = document.createElement('div');
     column.className = 'overlays';
@@ -64,13 +68,14 @@ export class Overlays {
   }
 
   has(name: OverlayName): boolean {
-    return name === 'cubemap' ? this.#options.cubemap.get() : this.#on.has(name);
+    return name === 'cubemap' ? this.#options.settings.helper : this.#on.has(name);
   }
 
   /** Shows or hides one. */
   set(name: OverlayName, on: boolean): void {
     if (name === 'cubemap') {
-      this.#options.cubemap.set(on);
+      this.#options.settings.helper = on;
+      this.#options.apply('helper');
       return;
     }
     if (on) this.#on.add(name);
@@ -123,8 +128,9 @@ export class Overlays {
 
   /** Once a frame, after the picture was drawn. */
   tell(delta: number): void {
-    if (!this.#on.has('numbers')) return;
-    this.#numbers.update(delta, this.#character, this.#collider, this.#options.renderer);
+    const { renderer } = this.#options;
+    if (!this.#on.has('numbers')) this.#numbers.rest();
+    else this.#numbers.update(delta, this.#character, this.#collider, renderer);
   }
 
   /** Tells the page what is shown. */
@@ -144,7 +150,7 @@ export class Overlays {
   }
 
   #press({ code, repeat, ctrlKey, altKey, metaKey, target }: KeyboardEvent): void {
-    if (!this.#options.listening() || repeat || ctrlKey || altKey || metaKey) return;
+    if (!this.#options.controls.enabled || repeat || ctrlKey || altKey || metaKey) return;
     if (target instanceof HTMLInputElement || target instanceof HTMLSelectElement) return;
     const kind = OVERLAYS.find((each) => each.code === code);
     // That one's key is among those which the page lets a user choose.

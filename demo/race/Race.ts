@@ -1,8 +1,8 @@
 import { type BufferGeometry, type Object3D, type Scene, Vector3 } from 'three';
-import type { CharacterController, CharacterControls } from 'three-cube-collider';
+import type { CharacterController, CharacterControls, CubeCollider } from 'three-cube-collider';
 import { endOfChains, watchTasks } from '../../bench/suites/watchTasks.js';
-import type { Hall } from '../hall/createHall.js';
 import { notify } from '../page.js';
+import type { World } from '../World.js';
 import { type ContestantId, OURS, ourBytes, type RivalId, RIVALS } from './contestants.js';
 import { FrameTimes } from './FrameTimes.js';
 import { missed } from './missed.js';
@@ -28,21 +28,19 @@ export interface Result {
   inside: number;
 }
 
+/** Ours; its collider may be exchanged. */
+export type OurCharacter = CharacterController & { readonly collider: CubeCollider };
+
 /** The demo, as the race needs it. */
 export interface Track {
   readonly scene: Scene;
   readonly controls: CharacterControls;
   readonly avatar: Object3D;
-  /** Where one goes who falls below `abyss`, metres. */
-  readonly spawn: Vector3;
-  readonly abyss: number;
-  /** Ours; the collider may be exchanged. */
-  ours(): CharacterController & { readonly collider: Parameters<typeof ourBytes>[0] };
+  /** Where one goes who falls below its abyss; and what moves in it. */
+  readonly world: Pick<World, 'spawn' | 'abyss' | 'hall' | 'movers'>;
+  ours(): OurCharacter;
   /** Moves ours on. */
   step(delta: number): void;
-  hall(): Hall | null;
-  /** What moves as a whole. */
-  movers(): Object3D | null;
 }
 
 /** The same walk on one collider or another, switched while one walks. */
@@ -173,7 +171,8 @@ export class Race {
   #missed({ depth, mesh }: Penetration): string {
     if (this.current === 'cube' || mesh === null || depth < MISSED) return '';
     const { name, of } = RIVALS[this.current];
-    return `${name} ${missed(mesh, this.#track.hall(), this.#track.movers())} not in its ${of}.`;
+    const { hall, movers } = this.#track.world;
+    return `${name} ${missed(mesh, hall, movers?.root ?? null)} not in its ${of}.`;
   }
 
   #handOver(id: ContestantId, rival: RivalCharacter | null): void {
@@ -232,15 +231,17 @@ export class Race {
       void this.choose('cube');
       return;
     }
-    if (rival.position.y >= this.#track.abyss) return;
-    rival.place(this.#track.spawn);
+    const { abyss, spawn } = this.#track.world;
+    if (rival.position.y >= abyss) return;
+    rival.place(spawn);
     notify('Back at the start');
   }
 
   #loadScenery(): Promise<Scenery> {
-    const { scene, hall, movers, avatar } = this.#track;
+    const { scene, world, avatar } = this.#track;
     return (this.#scenery ??= import('./Scenery.js').then(
-      ({ Scenery }) => (this.#judge = new Scenery(scene, hall(), movers(), avatar)),
+      ({ Scenery }) =>
+        (this.#judge = new Scenery(scene, world.hall, world.movers?.root ?? null, avatar)),
       (error: unknown) => {
         // To be tried again.
         this.#scenery = null;

@@ -20,9 +20,9 @@ const COLUMNS = [
     'What it takes of the main thread in a frame, picture left out: median and worst of the last two seconds',
   ],
   [
-    'inside a wall',
+    'inside of things',
     'mm',
-    'How deep its body is in what is drawn now, by exact distances; the fence’s planks left out',
+    'How deep its body is in what is drawn now, walls, floors and all, by exact distances; the fence’s planks left out',
   ],
 ] as const;
 

@@ -1,4 +1,5 @@
 import { announce, element } from '../page.js';
+import { DEFAULT_LEVEL } from '../parameters.js';
 
 /** What lies over the picture until one walks: progress, then the button, or what went wrong. */
 export class StartScreen {
@@ -40,8 +41,19 @@ export class StartScreen {
     if (document.activeElement === document.body) this.#walk.focus({ preventScroll: true });
   }
 
+  /** @param level the address of what could not be loaded */
+  failLevel(error: unknown, level: string): void {
+    this.fail(
+      error,
+      level === DEFAULT_LEVEL
+        ? 'Make it with “npm run build:level”, then try again.'
+        : 'Is the address after “?level=” right, and is it a GLB or glTF file?',
+    );
+  }
+
   /** @param mend what the reader can do about it */
   fail(error: unknown, mend: string): void {
+    console.error(error);
     this.#screen.hidden = false;
     this.#screen.dataset.state = 'failed';
     this.#progress.hidden = element('ready').hidden = this.#status.hidden = true;

@@ -312,6 +312,7 @@ function arm() {
 function leg() {
   const [x, hip] = at('upperLegL');
   const knee = ANKLE + SHIN;
+  const limb = along(1, [ANKLE + 0.03, knee], ['footL', 'lowerLegL', 'upperLegL'], 0.055);
   const lower = on('lowerLegL');
   const foot = along(2, [TOE.ahead], ['footL', 'toesL'], 0.025);
   const flat = (shape, floor) => ({
@@ -319,14 +320,26 @@ function leg() {
     positions: shape.positions.map((value, i) => (i % 3 === 1 ? Math.max(floor, value) : value)),
   });
   return [
+    // Nothing inside the shin: its edges would shine through, a speck here and there, on some GPUs.
     part(
       DARK,
-      along(1, [ANKLE + 0.03, knee], ['footL', 'lowerLegL', 'upperLegL'], 0.055),
+      limb,
       turned(
         [x, 0, 0],
         [
           [ANKLE - 0.02, 0.05],
-          [ANKLE + 0.06, 0.052],
+          [ANKLE + 0.1, 0.052],
+        ],
+        8,
+        1,
+      ),
+    ),
+    part(
+      DARK,
+      limb,
+      turned(
+        [x, 0, 0],
+        [
           [knee - 0.12, 0.056],
           [knee - 0.05, 0.06],
           [knee + 0.05, 0.063],

@@ -1,7 +1,7 @@
 import { Object3D, Vector3 } from 'three';
 import { expect, it } from 'vitest';
 import type { Contact } from 'three-cube-collider';
-import { GroundSpeed } from '../../demo/GroundSpeed.js';
+import { GroundSpeed } from '../../demo/avatar/GroundSpeed.js';
 
 const DELTA = 0.1;
 
