@@ -67,6 +67,11 @@ const look = (page: Page, view: 'first' | 'third') =>
 test('looks as it did: the start, the views, each overlay, the hall, on a desk and on a phone', async ({
   page,
 }) => {
+  test.skip(
+    process.platform !== 'linux',
+    'The pictures were taken on Linux; letters look otherwise elsewhere.',
+  );
+  test.slow();
   await page.addInitScript(() => {
     let now = 1000;
     performance.now = () => now;

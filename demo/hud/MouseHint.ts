@@ -32,6 +32,7 @@ export class MouseHint {
    */
   begin(capture: boolean): void {
     this.#show();
+    document.body.classList.remove('tabbed');
     if (!capture || !hasMouse()) return;
     this.#canvas.focus({ preventScroll: true });
     void this.#controls.lock();

@@ -10,8 +10,6 @@ export class CubemapView implements ColliderView {
   visible = true;
   readonly #atlas: CubeColliderHelper;
   readonly #field: FieldView;
-  /** Where thumbs walk, the atlas' corner is theirs: the field's canvas then shows the paper's six maxima. */
-  readonly #corner = hasMouse();
   #collider: CubeCollider;
 
   constructor(collider: CubeCollider) {
@@ -34,7 +32,8 @@ export class CubemapView implements ColliderView {
   }
 
   render(renderer: WebGLRenderer): void {
-    const axis = this.#collider.output === 'axis' && this.#corner;
+    // Where thumbs walk, the atlas' corner is theirs: the field's canvas then shows the paper's six maxima.
+    const axis = this.#collider.output === 'axis' && hasMouse();
     const field = this.visible && !axis;
     if (this.#field.visible !== field) this.#field.visible = field;
     this.#field.render();

@@ -85,12 +85,15 @@ export class Numbers {
     collider: CubeCollider,
     renderer: WebGLRenderer,
   ): void {
-    this.#seconds += delta;
-    this.#frames++;
+    // A frame of which the beginning was not seen does not count.
     if (collider !== this.#collider) {
+      this.rest();
       this.#collider = collider;
       Object.assign(this.#last, totalsOf(collider.stats));
+      return;
     }
+    this.#seconds += delta;
+    this.#frames++;
     if (this.#seconds < INTERVAL) return;
     this.#tell(character, collider, renderer);
     Object.assign(this.#last, totalsOf(collider.stats));

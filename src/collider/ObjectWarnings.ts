@@ -1,11 +1,13 @@
 import type { Mesh, Object3D } from 'three';
 import type { Warnings } from '../Warnings.js';
 
+/** Told of already, by whichever collider: a crowd's, or the camera's, see the same scene. */
+const obstacles = /* @__PURE__ */ new WeakSet<Object3D>();
+const sensors = /* @__PURE__ */ new WeakSet<Object3D>();
+
 /** Says once of each of the user's objects why it does not do what it seems to be there for. */
 export class ObjectWarnings {
   readonly #warnings: Warnings;
-  /** Looked at already. */
-  readonly #known = new WeakSet<Object3D>();
 
   constructor(warnings: Warnings) {
     this.#warnings = warnings;
@@ -13,25 +15,25 @@ export class ObjectWarnings {
 
   /** Of a mesh that cannot be drawn. */
   obstacle(mesh: Mesh, fault: string): void {
-    if (this.#isNew(mesh)) this.#warn(`${nameOf(mesh)} ${fault}; it is no obstacle.`, mesh);
+    if (isNew(mesh, obstacles)) this.#warn(`${nameOf(mesh)} ${fault}; it is no obstacle.`, mesh);
   }
 
   /** Of a sensor without a geometry of its own: nobody is ever in it. One that only holds sensors is all right. */
   sensor(object: Object3D): void {
-    if (!this.#isNew(object) || holdsSensor(object)) return;
+    if (!isNew(object, sensors) || holdsSensor(object)) return;
     const what = `the sensor ${nameOf(object)} has no geometry, so nobody is ever in it`;
     this.#warn(`${what}; set userData.sensor = true on a mesh.`, object);
-  }
-
-  #isNew(object: Object3D): boolean {
-    if (this.#known.has(object)) return false;
-    this.#known.add(object);
-    return true;
   }
 
   #warn(message: string, object: Object3D): void {
     this.#warnings.once(message, object.uuid);
   }
+}
+
+function isNew(object: Object3D, known: WeakSet<Object3D>): boolean {
+  if (known.has(object)) return false;
+  known.add(object);
+  return true;
 }
 
 function nameOf({ type, name, uuid }: Object3D): string {

@@ -92,6 +92,7 @@ function impact(surfels: Surfels, i: number, best: number): number {
   const x = query[4]!;
   const y = query[5]!;
   const z = query[6]!;
+  const along = isGrazed(surfels.piece, PIECE * i);
   let t = 0;
   for (let round = 0; round < ROUNDS; round++) {
     axis[0] = query[0]! + t * x;
@@ -108,12 +109,22 @@ function impact(surfels: Surfels, i: number, best: number): number {
     const approach = -(nx * x + ny * y + nz * z) / d;
     if (approach <= 1e-9) return best;
     // The farther on the way, the less it is approached.
-    if (approach < query[10]!) room = d - query[9]!;
+    if (along || approach < query[10]!) room = d - query[9]!;
     if (room < CLOSE) break;
     t += room / approach;
     if (t >= best) return best;
   }
   return t;
+}
+
+/**
+ * Does the way lead along a plane, in the midst of which the piece lies? Its neighbours go on where that ends; of another
+ * the edge may be met otherwise than the plane.
+ */
+function isGrazed(piece: Float32Array, p: number): boolean {
+  if (piece[p + 7] !== GOES_ON) return false;
+  const along = piece[p + 4]! * query[4]! + piece[p + 5]! * query[5]! + piece[p + 6]! * query[6]!;
+  return along < query[10]! && along > -query[10]!;
 }
 
 /**
@@ -148,7 +159,7 @@ function passesBy(piece: Float32Array, p: number): boolean {
   const nz = piece[p + 6]!;
   const base = nx * dx + nz * dz;
   const along = nx * x + ny * y + nz * z;
-  if (along < query[10]! && along > -query[10]!) wanted = query[9]!;
+  if (isGrazed(piece, p)) wanted = query[9]!;
   const atLow = base + ny * low;
   const atHigh = base + ny * high;
   const lowFirst = Math.abs(atLow) <= Math.abs(atHigh);

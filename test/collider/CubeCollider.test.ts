@@ -73,6 +73,9 @@ describe('a sensor without a geometry', () => {
     scene.add(late);
     collider.survey(scene);
     expect(warn.mock.calls.slice(3)).toEqual([[said('late')]]);
+    // A camera's collider sees the same scene, and so do those of a crowd.
+    new CubeCollider().survey(scene);
+    expect(warn).toHaveBeenCalledTimes(4);
   });
 });
 

@@ -95,6 +95,37 @@ describe('timeOfImpact', () => {
     }
   });
 
+  it.each([-4, 0, 1, 3, 5, 7, 12])(
+    'should let what is passed along its surface come as near as "graze": a wall that leans by %f°',
+    (degrees) => {
+      const [gap, graze] = [0.02, 0.008];
+      const lean = (degrees * Math.PI) / 180;
+      const way = { x: 0, y: -0.4, z: 0 };
+      const capsule = capsuleAt(0, 0.5, 0);
+      const leaning = wall(0.6).turn({ roll: -lean });
+      const world = new World(leaning);
+      world.refresh();
+      leaning.object.position.x -= (exactGap(world, capsule) - 0.024) / Math.cos(lean);
+      const memory = remembered(world, new Vector3(0, 1.2, 0));
+      // 6° part the two.
+      const wanted = degrees < 6 ? graze : gap;
+      const told = timeOfImpact(memory, capsule, way, gap, gap, null, graze);
+      const off = (told - march(world, capsule, way, wanted)) * length(way) * Math.sin(lean);
+      expect(Math.abs(off)).toBeLessThan(MILLIMETRE);
+      if (degrees >= 3) expect(told).toBeLessThan(1);
+    },
+  );
+
+  it('should not graze an edge that it comes down on beside its wall', () => {
+    const world = new World(ground(), kerb(0.5, 0.28));
+    const memory = remembered(world, new Vector3(0, 1.2, 0));
+    const capsule = capsuleAt(0, 0.6, 0);
+    const way = { x: 0, y: -0.4, z: 0 };
+    const told = timeOfImpact(memory, capsule, way, 0.02, 0.02, null, 0.01);
+    const off = (told - march(world, capsule, way, 0.02)) * length(way);
+    expect(Math.abs(off)).toBeLessThan(MILLIMETRE);
+  });
+
   it('should stop at nothing but one object, if asked', () => {
     const near = wall(0.405);
     const far = wall(-0.505);
