@@ -25,7 +25,7 @@ split where it can be: selecting what is near, submitting the draw, reading back
 
 The parts below tell why ours is several times Rapier's: about every sixth step brings a new field to copy, decode and solve
 anew, which is what p95 tells and what makes the mean twice the median; and in a page that is idle for most of each 16 ms a step
-begins with cold caches. In Node, one step after the other, a step takes 0.1 to 0.2 ms (\`npm run bench:step\`). By function:
+begins with cold caches. In Node, one step after the other, a step takes 0.1 to 0.3 ms (\`npm run bench:step\`). By function:
 [Where a step goes](#where-a-step-goes).`,
   },
   {
@@ -51,8 +51,9 @@ queries into each object's own space; Octree and Rapier have to be built anew wh
     title: 'Many characters',
     about: `Main-thread time a frame for 1, 10 and 100 characters that walk on their own in one level. Ours are in a
 \`CubeColliderGroup\`: five cubemaps a render, one read. What is left is each one's own step: a field to decode about every
-fifth frame, and the walk among its surfels: nine tenths of it, spread over a dozen small functions
-([Where a step goes](#where-a-step-goes)), so that no one of them stands in the way; only fewer or smaller fields would help.`,
+fifth frame, and the walk among its surfels: most of it, spread over a dozen small functions
+([Where a step goes](#where-a-step-goes)), so that no one of them stands in the way; only fewer or smaller fields help. At \`resolution: 16\` a field has a
+quarter of the texels, and a character costs about half; for walkers whom nobody steers that is enough.`,
   },
   {
     name: 'feel',
