@@ -1,6 +1,6 @@
 // @ts-check
 // What a step costs in JavaScript, and taking a new field in: `npm run bench:step [-- --seconds 20 --only stairs
-// --markdown docs/architecture.md]`. In Node, with the product's own code on fields of 6 x 32 x 32 texels; reproduces the table in docs/architecture.md.
+// --cold --markdown docs/architecture.md]`. In Node, with the product's own code on fields of 6 x 32 x 32 texels; reproduces the table in docs/architecture.md.
 import { mkdtempSync, rmSync } from 'node:fs';
 import { arch, cpus, platform } from 'node:os';
 import { join } from 'node:path';
@@ -15,6 +15,7 @@ await main(async () => {
   const { values } = parseArgs({
     options: {
       seconds: { type: 'string', default: '20' },
+      cold: { type: 'boolean', default: false },
       only: { type: 'string', default: '' },
       markdown: { type: 'string' },
     },
@@ -40,7 +41,7 @@ await main(async () => {
       if (!name.includes(values.only)) continue;
       measure(name, 3);
       /** @type {Record<string, number[]>} */
-      const { steps, fields } = measure(name, Number(values.seconds));
+      const { steps, fields } = measure(name, Number(values.seconds), values.cold);
       const mean = steps.reduce((sum, time) => sum + time, 0) / steps.length;
       const ms = [quantile(steps, 0.5), mean, quantile(steps, 0.9), quantile(steps, 0.99)];
       const field = fields.length > 0 ? quantile(fields, 0.5)?.toFixed(2) : '-';

@@ -26,6 +26,16 @@ interface Case {
 
 const wish = new Vector3();
 
+/** More than any cache holds. */
+const LARGE = 16e6;
+let large: Float64Array | null = null;
+
+/** Leaves nothing of ours in the processor's caches, as a page's other work does between two frames. */
+function emptyCaches(): void {
+  large ??= new Float64Array(LARGE);
+  for (let i = 0; i < LARGE; i += 8) large[i]!++;
+}
+
 /** Presses on that way; never exactly the same, so that no step is passed over as the last one over again. */
 const press =
   (x: number, z: number): Drive =>
@@ -77,9 +87,14 @@ export const CASES: Record<string, Case> = {
 /**
  * Times `CharacterController.step` in a frame loop of 60 Hz, and apart from it what a new field costs.
  *
+ * @param cold whether each begins with empty caches
  * @returns milliseconds of each
  */
-export function measure(name: string, seconds: number): { steps: number[]; fields: number[] } {
+export function measure(
+  name: string,
+  seconds: number,
+  cold = false,
+): { steps: number[]; fields: number[] } {
   const { world, foot = [0, 0.02, 0], drive } = CASES[name]!;
   const collider = new WorldCollider(world());
   const character = new CharacterController(collider);
@@ -93,10 +108,12 @@ export function measure(name: string, seconds: number): { steps: number[]; field
     // Draws, if that is due, and does not step.
     character.update({}, {}, 0);
     if (collider.draws > draws) {
+      if (cold) emptyCaches();
       const begin = performance.now();
       character.update({}, {}, 0);
       fields.push(performance.now() - begin);
     }
+    if (cold) emptyCaches();
     const begin = performance.now();
     character.step(1 / 60);
     steps.push(performance.now() - begin);

@@ -25,7 +25,8 @@ split where it can be: selecting what is near, submitting the draw, reading back
 
 The parts below tell why ours is several times Rapier's: about every sixth step brings a new field to copy, decode and solve
 anew, which is what p95 tells and what makes the mean twice the median; and in a page that is idle for most of each 16 ms a step
-begins with cold caches. In Node, one step after the other, a step takes 0.1 to 0.3 ms (\`npm run bench:step\`). By function:
+begins with cold caches. In Node, one step after the other, a step takes 0.1 to 0.3 ms in the mean; where its
+caches are emptied in between, 0.2 to 0.45 (\`npm run bench:step\`, with \`-- --cold\`). By function:
 [Where a step goes](#where-a-step-goes).`,
   },
   {
