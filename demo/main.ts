@@ -20,6 +20,7 @@ import { Pause } from './pause/Pause.js';
 import { Player } from './Player.js';
 import { Quality } from './Quality.js';
 import { type OurCharacter, Race } from './race/Race.js';
+import { isSoftware } from './race/isSoftware.js';
 import { RacePanel } from './race/RacePanel.js';
 import { openRendering, type Rendering } from './rendering.js';
 import { Choices } from './settings/Choices.js';
@@ -69,7 +70,7 @@ function start(screen: StartScreen, rendering: Rendering) {
   const quality = parameters.adaptive || parameters.quality ? new Quality(renderer, scene) : null;
   const panel = ui ? createPanel(settings, rendering, (what) => choices.chosen(what)) : null;
   const opening = ui ? new Opening(camera, controls, element('words')) : null;
-  if (ui) new RacePanel(race, controls, canvas, () => pause.freeMouse());
+  if (ui) new RacePanel(race, controls, canvas, isSoftware(canvas), () => pause.freeMouse());
   const mouse = new MouseHint(controls, canvas, ui);
 
   /** One turn of the loop. */
@@ -88,6 +89,7 @@ function start(screen: StartScreen, rendering: Rendering) {
     world.light(race.character.position);
     animate(race.character, delta);
 
+    overlays.rest(race.current !== 'cube');
     overlays.update();
     renderer.render(scene, camera);
     if (race.current === 'cube') helper.render(renderer);

@@ -96,7 +96,9 @@ test('should let rivals walk on, and fall through what moves; ours stays on', as
     await put(page, place);
     const ours = await live(page, 8);
     const [, , , , gap] = await numbersOf(page, 'Cube collider');
+    await expect(page.locator('.overlay-list .resting')).toBeHidden();
     await choose(page, name);
+    await expect(page.locator('.overlay-list .resting')).toBeVisible();
     const fallen = await live(page, 7);
     const walked = await walk(page);
     const [build, bytes, median, worst, inside] = await numbersOf(page, name);

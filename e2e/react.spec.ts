@@ -101,6 +101,9 @@ test('React: a character should walk by drei’s keys, on demand, mounted twice,
       .poll(() => tell(page, ({ character }) => character!.body.height), { timeout: 30_000 })
       .toBe(1.2);
     expect(await place(page)).toEqual(before.map((each) => expect.closeTo(each, 2)));
+    // Until it has seen its own surroundings it has none of its textures.
+    const stands = () => tell(page, ({ seen }) => seen?.grounded ?? false);
+    await expect.poll(stands, { timeout: 30_000 }).toBe(true);
     await asleep(page);
     const textures = () => tell(page, ({ gl }) => gl!.info.memory.textures);
     // Twice: from where it begins, the camera sees some of the new level's textures for the first time.
@@ -109,9 +112,7 @@ test('React: a character should walk by drei’s keys, on demand, mounted twice,
       await page.evaluate(() => window.harness.show({ character: false }));
       await expect.poll(textures).toBeLessThan(walking.at(-1)!);
       await page.evaluate(() => window.harness.show({ character: true }));
-      await expect
-        .poll(() => tell(page, ({ seen }) => seen?.grounded ?? false), { timeout: 30_000 })
-        .toBe(true);
+      await expect.poll(stands, { timeout: 30_000 }).toBe(true);
       await asleep(page);
       walking.push(await textures());
     }

@@ -107,9 +107,15 @@ test('rests while nobody walks, and goes on just there, with no key down', async
   }
 
   // The panel frees the mouse without a pause; Escape then is the page's own.
+  const panel = page.getByRole('group', { name: 'Collider' }).getByText('read-back');
   await page.keyboard.press('KeyP');
-  await expect(page.getByRole('group', { name: 'Collider' }).getByText('read-back')).toBeVisible();
+  await expect(panel).toBeVisible();
   await expect(paused(page)).toBeHidden();
+  // Its key closes it again: it took no keys.
+  await page.keyboard.press('KeyP');
+  await expect(panel).toBeHidden();
+  await page.keyboard.press('KeyP');
+  await expect(panel).toBeVisible();
   await page.keyboard.press('Escape');
   await expect(paused(page)).toBeVisible();
   await page.getByRole('button', { name: 'Back to the start' }).click();

@@ -30,7 +30,7 @@ export type Change = 'view' | 'helper' | 'response' | 'collider';
 export interface Panel {
   /** Shows what was changed elsewhere, by a key. */
   refresh(): void;
-  /** Opens it, with the focus on its first choice, or closes it. @returns whether it is open now */
+  /** Opens or closes it; the keys stay with the walk. @returns whether it is open now */
   toggle(): boolean;
 }
 
@@ -86,7 +86,6 @@ export function createPanel(
     refresh: () => gui.controllersRecursive().forEach((each) => each.updateDisplay()),
     toggle() {
       gui.open(gui._closed);
-      if (!gui._closed) gui.domElement.querySelector('select')?.focus();
       return !gui._closed;
     },
   };

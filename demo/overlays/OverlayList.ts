@@ -15,7 +15,10 @@ export class OverlayList {
     const list = document.createElement('ul');
     list.id = 'overlay-list';
     list.hidden = isSmall();
-    this.element.append(opener(list), list);
+    const resting = document.createElement('p');
+    resting.className = 'resting';
+    resting.textContent = 'Another library walks; these rest until the cube collider does again.';
+    this.element.append(opener(list), resting, list);
     for (const kind of OVERLAYS) {
       const note = explanation(kind);
       const button = document.createElement('button');

@@ -42,6 +42,8 @@ export class Overlays {
   readonly #list: OverlayList | null;
   readonly #strip = new RestingStrip();
   readonly #behind: StepBehind;
+  /** Whether another library walks, of which there is nothing to show. */
+  #resting = false;
   #character: CharacterController;
   #collider: CubeCollider;
   #contacts: ContactsHelper | null = null;
@@ -106,6 +108,13 @@ export class Overlays {
     if (this.#timeline !== null) this.#timeline.character = this.#character;
   }
 
+  /** Hides all of them while another library walks. */
+  rest(resting: boolean): void {
+    if (this.#resting === resting) return;
+    this.#resting = resting;
+    this.refresh();
+  }
+
   /** Right before `character.update`. */
   before(): void {
     this.#numbers.before(this.#collider);
@@ -129,7 +138,7 @@ export class Overlays {
   /** Once a frame, after the picture was drawn. */
   tell(delta: number): void {
     const { renderer } = this.#options;
-    if (!this.#on.has('numbers')) this.#numbers.rest();
+    if (this.#resting || !this.#on.has('numbers')) this.#numbers.rest();
     else this.#numbers.update(delta, this.#character, this.#collider, renderer);
   }
 
@@ -143,7 +152,7 @@ export class Overlays {
       [this.#free, 'free'],
       [this.#timeline, 'timeline'],
     ] as const) {
-      if (helper !== null) helper.visible = this.#on.has(name);
+      if (helper !== null) helper.visible = !this.#resting && this.#on.has(name);
     }
     this.#numbers.element.hidden = !this.#on.has('numbers');
     this.#strip.element.hidden = !this.#on.has('timeline');

@@ -32,6 +32,7 @@ const HTML = `
 </button>
 <div id="race-body" hidden>
   <p class="about">The same character, moved by another library. Choose one, and walk.</p>
+  <p class="software" hidden>No GPU here: the processor draws, and the cube collider’s times are far above those on one.</p>
   <table>
     <thead><tr><th scope="col"><span class="unseen">Collider</span></th></tr></thead>
     <tbody></tbody>
@@ -52,13 +53,21 @@ export class RacePanel {
 
   /**
    * @param canvas has the focus back once one was chosen by a pointer, so that keys walk
+   * @param software whether the processor draws what a GPU should
    * @param freeMouse lets go of the mouse without a pause, for the rows to be pointed at
    */
-  constructor(race: Race, controls: CharacterControls, canvas: HTMLElement, freeMouse: () => void) {
+  constructor(
+    race: Race,
+    controls: CharacterControls,
+    canvas: HTMLElement,
+    software: boolean,
+    freeMouse: () => void,
+  ) {
     this.#race = race;
     this.#element.id = 'race';
     this.#element.setAttribute('aria-label', 'Compare with other libraries');
     this.#element.innerHTML = HTML;
+    this.#find('.software').hidden = !software;
     this.#toggle = this.#find('.toggle');
     const head = this.#find('thead tr');
     for (const [name, unit, title] of COLUMNS) {

@@ -24,9 +24,10 @@ const GRAZING = 0.1;
 
 /**
  * The axis before the way (x, z, lower and upper y), the way (x, y, z), the distance wanted, what is passed over, the
- * distance wanted of what is grazed, and how much of an approach that is, metres.
+ * distance wanted of what is grazed, how much of an approach that is, metres, and the part of the way that can be made, as
+ * far as is known. (Numbers handed over or back would be wrapped in objects.)
  */
-const query = /* @__PURE__ */ new Float64Array(11);
+const query = /* @__PURE__ */ new Float64Array(12);
 
 /**
  * How much of a displacement the capsule can make until something is `gap` away from it: 0 to 1.
@@ -60,7 +61,7 @@ export function timeOfImpact(
   query[8] = radius + near;
   query[9] = radius + graze;
   query[10] = graze < gap ? GRAZING * length : 0;
-  let best = 1;
+  query[11] = 1;
   for (let k = 0; k < memory.kept.length; k++) {
     const { surfels, again } = memory.kept[k]!;
     const { block, first, firstBlock, object, origin, piece, region } = surfels;
@@ -79,16 +80,16 @@ export function timeOfImpact(
         for (let i = first[b]!; i < first[b + 1]!; i++) {
           if (again[i] === 1 || passesBy(piece, PIECE * i)) continue;
           if (id !== 0 && object[i] !== id) continue;
-          best = impact(surfels, i, best);
+          impact(surfels, i);
         }
       }
     }
   }
-  return best;
+  return query[11]!;
 }
 
-/** How much of the way can be made until surfel `i` is met, or `best` if that is less. */
-function impact(surfels: Surfels, i: number, best: number): number {
+/** Shortens the part of the way that can be made if surfel `i` is met on it. */
+function impact(surfels: Surfels, i: number): void {
   const x = query[4]!;
   const y = query[5]!;
   const z = query[6]!;
@@ -101,20 +102,20 @@ function impact(surfels: Surfels, i: number, best: number): number {
     axis[3] = query[3]! + t * y;
     surfelDistance(surfels, i);
     const d = nearest[4]!;
-    if (round === 0 && d <= query[8]!) return best;
+    if (round === 0 && d <= query[8]!) return;
     let room = d - query[7]!;
     const nx = axis[0] - nearest[0]!;
     const ny = nearest[3]! - nearest[1]!;
     const nz = axis[1] - nearest[2]!;
     const approach = -(nx * x + ny * y + nz * z) / d;
-    if (approach <= 1e-9) return best;
+    if (approach <= 1e-9) return;
     // The farther on the way, the less it is approached.
     if (along || approach < query[10]!) room = d - query[9]!;
     if (room < CLOSE) break;
     t += room / approach;
-    if (t >= best) return best;
+    if (t >= query[11]!) return;
   }
-  return t;
+  query[11] = t;
 }
 
 /**

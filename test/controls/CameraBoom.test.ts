@@ -164,6 +164,6 @@ describe('CameraBoom', () => {
     const direction = new Vector3(0.1, 0.2, 1).normalize();
     const each = bytesEach(2000, () => walk.boom.reach(head, direction, 4, 0.14));
     // It looks at some 250 places: an object for each would be 12,000 bytes and more. What is left are numbers that V8 wraps.
-    expect(each).toBeLessThan(1500);
+    expect(each).toBeLessThan(1000);
   });
 });
