@@ -20,7 +20,6 @@ import { Pause } from './pause/Pause.js';
 import { Player } from './Player.js';
 import { Quality } from './Quality.js';
 import { type OurCharacter, Race } from './race/Race.js';
-import { isSoftware } from './race/isSoftware.js';
 import { RacePanel } from './race/RacePanel.js';
 import { openRendering, type Rendering } from './rendering.js';
 import { Choices } from './settings/Choices.js';
@@ -70,7 +69,7 @@ function start(screen: StartScreen, rendering: Rendering) {
   const quality = parameters.adaptive || parameters.quality ? new Quality(renderer, scene) : null;
   const panel = ui ? createPanel(settings, rendering, (what) => choices.chosen(what)) : null;
   const opening = ui ? new Opening(camera, controls, element('words')) : null;
-  if (ui) new RacePanel(race, controls, canvas, isSoftware(canvas), () => pause.freeMouse());
+  if (ui) new RacePanel(race, controls, canvas, rendering.software, () => pause.freeMouse());
   const mouse = new MouseHint(controls, canvas, ui);
 
   /** One turn of the loop. */

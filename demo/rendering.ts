@@ -19,6 +19,8 @@ export interface Rendering {
   readonly renderer: WebGLRenderer;
   /** What draws, for people. */
   readonly backend: string;
+  /** Whether the processor draws, for want of a GPU, as far as a browser tells. */
+  readonly software: boolean;
   /** Whether a read can be waited for. */
   readonly canWait: boolean;
   createCollider(options: CubeColliderOptions): CubeCollider;
@@ -28,14 +30,22 @@ export interface Rendering {
 }
 
 export function createWebGLRendering(canvas: HTMLCanvasElement, antialias: boolean): Rendering {
+  const renderer = new WebGLRenderer({ canvas, antialias });
   return {
-    renderer: new WebGLRenderer({ canvas, antialias }),
+    renderer,
     backend: 'WebGL 2',
+    software: isSoftware(renderer.getContext()),
     canWait: true,
     createCollider: (options) => new CubeCollider(options),
     createView: (collider) => new CubemapView(collider),
     translate: () => {},
   };
+}
+
+function isSoftware(gl: WebGLRenderingContextBase): boolean {
+  const names = gl.getExtension('WEBGL_debug_renderer_info');
+  const name = names === null ? '' : String(gl.getParameter(names.UNMASKED_RENDERER_WEBGL));
+  return /swiftshader|llvmpipe|softpipe|basic render/i.test(name);
 }
 
 /** Opens the one that the page's address asks for: three's own at once, the second, as large again, once it is loaded. */

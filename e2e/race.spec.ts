@@ -80,6 +80,8 @@ test('should let rivals walk on, and fall through what moves; ours stays on', as
   await page.route('**/OctreeWalker*', (route) => route.abort());
   await page.keyboard.press('KeyR');
   await expect(page.locator('#race')).toContainText('Octree could not be loaded');
+  // Tests draw by software, and it says so.
+  await expect(page.locator('#race')).toContainText('No GPU here');
   await expect(rowOf(page, 'Cube collider').getByRole('button')).toHaveAttribute(
     'aria-pressed',
     'true',

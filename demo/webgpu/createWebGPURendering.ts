@@ -18,6 +18,7 @@ export async function createWebGPURendering(
   return {
     renderer: renderer as unknown as WebGLRenderer,
     backend: isWebGPUBackend === true ? 'WebGPU' : 'WebGPURenderer on WebGL 2',
+    software: false,
     canWait: false,
     createCollider: (options) =>
       new CubeCollider({ ...options, readback: 'async' }) as unknown as WebGLCubeCollider,
