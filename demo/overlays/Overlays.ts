@@ -145,6 +145,7 @@ export class Overlays {
   /** Tells the page what is shown. */
   refresh(): void {
     for (const { name } of OVERLAYS) this.#list?.show(name, this.has(name));
+    const shown = (name: OverlayName) => !this.#resting && this.#on.has(name);
     for (const [helper, name] of [
       [this.#contacts, 'contacts'],
       [this.#body, 'body'],
@@ -152,10 +153,10 @@ export class Overlays {
       [this.#free, 'free'],
       [this.#timeline, 'timeline'],
     ] as const) {
-      if (helper !== null) helper.visible = !this.#resting && this.#on.has(name);
+      if (helper !== null) helper.visible = shown(name);
     }
-    this.#numbers.element.hidden = !this.#on.has('numbers');
-    this.#strip.element.hidden = !this.#on.has('timeline');
+    this.#numbers.element.hidden = !shown('numbers');
+    this.#strip.element.hidden = !shown('timeline');
   }
 
   #press({ code, repeat, ctrlKey, altKey, metaKey, target }: KeyboardEvent): void {

@@ -15,18 +15,15 @@ export class ObjectWarnings {
 
   /** Of a mesh that cannot be drawn. */
   obstacle(mesh: Mesh, fault: string): void {
-    if (isNew(mesh, obstacles)) this.#warn(`${nameOf(mesh)} ${fault}; it is no obstacle.`, mesh);
+    if (!isNew(mesh, obstacles)) return;
+    this.#warnings.once(`${nameOf(mesh)} ${fault}; it is no obstacle.`, `obstacle ${mesh.uuid}`);
   }
 
   /** Of a sensor without a geometry of its own: nobody is ever in it. One that only holds sensors is all right. */
   sensor(object: Object3D): void {
     if (!isNew(object, sensors) || holdsSensor(object)) return;
     const what = `the sensor ${nameOf(object)} has no geometry, so nobody is ever in it`;
-    this.#warn(`${what}; set userData.sensor = true on a mesh.`, object);
-  }
-
-  #warn(message: string, object: Object3D): void {
-    this.#warnings.once(message, object.uuid);
+    this.#warnings.once(`${what}; set userData.sensor = true on a mesh.`, `sensor ${object.uuid}`);
   }
 }
 

@@ -123,7 +123,7 @@ function impact(surfels: Surfels, i: number): void {
  * the edge may be met otherwise than the plane.
  */
 function isGrazed(piece: Float32Array, p: number): boolean {
-  if (piece[p + 7] !== GOES_ON) return false;
+  if (query[10] === 0 || piece[p + 7] !== GOES_ON) return false;
   const along = piece[p + 4]! * query[4]! + piece[p + 5]! * query[5]! + piece[p + 6]! * query[6]!;
   return along < query[10]! && along > -query[10]!;
 }
