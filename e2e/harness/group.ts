@@ -148,6 +148,8 @@ export interface CrowdReport {
   /** Lowest foot, highest foot at the end, metres; the floor is at 0. */
   lowest: number;
   highest: number;
+  /** Frames of the walk. */
+  frames: number;
   /** Shortest and longest way, metres. */
   shortest: number;
   longest: number;
@@ -162,11 +164,14 @@ export interface CrowdReport {
   walkedAlone: boolean;
 }
 
+/** How far each is to walk, metres, and in how many frames at most: on a slow machine most wait for their cubemaps. */
+const WAY = 1;
+const PATIENCE = 1500;
 /** Half of the room's width, metres. */
 const ROOM = 5;
 const RADIUS = 0.3;
 
-/** Thirty characters that walk about in a room, each its own way. */
+/** Thirty characters that walk about in a room, each its own way, for `frames` or more. */
 export async function crowd({
   backend,
   frames,
@@ -205,9 +210,11 @@ export async function crowd({
     });
     together.update(renderer, scene);
   };
-  for (let i = 0; i < frames; i++) {
-    frame(i);
-    await new Promise((resolve) => setTimeout(resolve, i < 10 ? 30 : 3));
+  const onTheirWay = () => walkers.some(({ way }) => way <= WAY);
+  let walked = 0;
+  for (; walked < frames || (onTheirWay() && walked < PATIENCE); walked++) {
+    frame(walked);
+    await new Promise((resolve) => setTimeout(resolve, walked < 10 ? 30 : 3));
     for (const walker of walkers) {
       const { x, z } = walker.character.body.position;
       deepest = Math.max(deepest, Math.abs(x) + RADIUS - ROOM, Math.abs(z) + RADIUS - ROOM);
@@ -233,6 +240,7 @@ export async function crowd({
   const report: CrowdReport = {
     lowest: Math.min(...feet),
     highest: Math.max(...feet),
+    frames: walked,
     shortest: Math.min(...ways),
     longest: Math.max(...ways),
     deepest,
