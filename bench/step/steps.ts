@@ -13,6 +13,7 @@ import {
 } from '../../test/support/world/scenes.js';
 import { World } from '../../test/support/world/World.js';
 import { WorldCollider } from '../../test/support/world/WorldCollider.js';
+import { Hills } from './Hills.js';
 
 type Drive = (character: CharacterController, frame: number) => void;
 
@@ -80,6 +81,12 @@ export const CASES: Record<string, Case> = {
   'inside a pillar': {
     world: () => new World(ground(), ...spiral(9, 0.18)),
     drive: press(3, 1.5),
+  },
+  'over hills': { world: () => new World(new Hills(1.41)), foot: [0.571, 1, 0], drive: ramble(6) },
+  'over fine hills': {
+    world: () => new World(new Hills(0.14)),
+    foot: [0.571, 1, 0],
+    drive: ramble(6),
   },
   'through a yard': { world: () => randomWorld(seeded(5)), drive: ramble(6) },
 };
