@@ -1,5 +1,6 @@
 import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
 import { type Blocks, blocksOf, EDGE } from './blocks.js';
+import { boundQuads, LONGEST, middle } from './boundQuads.js';
 import { FACES } from '../cube/faces.js';
 import { setCorners } from './corners.js';
 import { APART, COPLANAR_LINK, type Extents, findExtents } from './extents.js';
@@ -9,6 +10,7 @@ import { neighbours, SIDES } from './neighbours.js';
 import { AWAY, boundBalls, boundBlock, ENDS, GOES_ON, MIXED, PIECE } from './pieces.js';
 import type { SurfaceField } from './SurfaceField.js';
 import type { Texels } from './Texels.js';
+import { own, toWorldAxes, world } from './toWorldAxes.js';
 
 /**
  * A surface seen at a slant less than this (cosine between ray and normal) is told from so far aside that its texel's
@@ -17,15 +19,19 @@ import type { Texels } from './Texels.js';
 const LEAST_SLANT = 0.06;
 /** What of a surfel moves with its object. */
 const MOVING = 12;
-/** How far beyond its own border a texel's piece goes at most, in texels along each axis of the face: to the neighbour's far border. */
-const BEYOND = 1;
 /** The same, from its ray: which may pass half a texel beside its middle. */
 const ASIDE = 2;
 /** A block lies in one plane for sure if its texels' normals are closer than this, and none lies farther off, metres. */
 const SAME_NORMAL = 0.999999;
 const SAME_PLANE = 2e-5;
-/** As far as a piece goes from its point, metres: see `setCorners`. */
-const LONGEST = 1;
+/** What is known of a block: a ball around what its rays leave open; a smaller one; where its pieces end; all. */
+const ROUGH = 0;
+const AIMED = 1;
+const ENDED = 2;
+const MADE = 3;
+
+/** What `Surfels.planeOf` found: a unit normal and a point, 3 each, body's frame, relative to `Surfels.origin`. */
+export const plane = /* @__PURE__ */ new Float64Array(6);
 
 /**
  * The surfels of one field: for each texel that saw something a piece of plane, as far as it is sure to reach.
@@ -36,8 +42,9 @@ const LONGEST = 1;
  * Numbers are relative to the field's centre and turned into the body's frame, whose Y is the character's up. A moved
  * object's surfels are carried along by its matrix (`carry`).
  *
- * Of a field most is never asked for: surfels are made block by block, by `find`, for who comes near one. Until then a
- * block knows but how far it reaches at most.
+ * Of a field most is never asked for: surfels are made block by block, for who comes near one. Until then a block knows
+ * but how far it reaches at most, which it is cheaper to be told more exactly than to make it: who asks whether one is of
+ * interest asks again after each `refine`.
  */
 export class Surfels {
   /** How many there are. */
@@ -89,8 +96,8 @@ export class Surfels {
   readonly #extents: Extents;
   /** The field's, kept for blocks that are found later. */
   readonly #texels: Texels;
-  /** 1 for each block whose surfels are made. */
-  readonly #found: Uint8Array;
+  /** How much is known of each block, see `ROUGH`. */
+  readonly #known: Uint8Array;
   /** Of each block: how far the plane lies from the centre that it is in, and 1 if all its texels have surfels. */
   readonly #offset: Float64Array;
   readonly #whole: Uint8Array;
@@ -108,7 +115,7 @@ export class Surfels {
     this.firstBlock = blocks.regions;
     this.region = new Float32Array(PIECE * (blocks.regions.length - 1));
     this.first = new Int32Array(blocks.count + 1);
-    this.#found = new Uint8Array(blocks.count);
+    this.#known = new Uint8Array(blocks.count);
     this.#offset = new Float64Array(blocks.count);
     this.#whole = new Uint8Array(blocks.count);
     this.blockOf = new Uint16Array(count);
@@ -157,37 +164,76 @@ export class Surfels {
 
     this.#toBody.copy(toBody);
     this.#up.set(0, 1, 0).applyQuaternion(toWorld.copy(toBody).conjugate());
-    this.#found.fill(0);
+    this.#known.fill(ROUGH);
+
     this.#number(field);
     return this;
   }
 
   /**
-   * Makes the surfels of block `b`, if they are not made yet; to be called before anything of them is looked at. Allocates
-   * nothing.
+   * Gets to know block `b` better, at last by making its surfels: to be called before anything of them is looked at, as
+   * long as the block may be of interest. Allocates nothing.
    *
-   * @returns whether they were not: the block then reaches less far than it was said to
+   * @returns whether it may now reach less far than it was said to; false if its surfels were made already
    */
-  find(b: number): boolean {
-    if (this.#found[b] === 1) return false;
-    this.#found[b] = 1;
+  refine(b: number): boolean {
+    const known = this.#known[b]!;
+    if (known === MADE) return false;
+    const kind = this.block[PIECE * b + 7]!;
+    if (known === ENDED || kind === GOES_ON) {
+      this.find(b);
+    } else if (known === ROUGH && kind === MIXED) {
+      this.#known[b] = AIMED;
+      this.#boundQuads(b, null);
+    } else {
+      this.#end(b);
+    }
+    return true;
+  }
+
+  /** The plane of surfel `i`, which `texel` saw: writes `plane`. */
+  planeOf(texel: number, i: number): void {
+    if (this.moved[this.object[i]!] === 1) {
+      for (let v = 0; v < 3; v++) {
+        plane[v] = this.piece[PIECE * i + 4 + v]!;
+        plane[3 + v] = this.piece[PIECE * i + v]!;
+      }
+      return;
+    }
+    const { direction, distance, normal } = this.#texels;
+    const d = distance[texel]!;
+    for (let v = 0; v < 3; v++) {
+      plane[v] = normal[3 * texel + v]!;
+      plane[3 + v] = d * direction[3 * texel + v]!;
+    }
+    if (this.#toBody.w === 1) return;
+    rotate(plane, 0, this.#toBody);
+    rotate(plane, 3, this.#toBody);
+  }
+
+  /** Does the plane of surfel `i`, which `texel` saw, go on all around it? */
+  goesOn(texel: number, i: number): boolean {
+    const b = this.blockOf[i]!;
+    if (this.block[PIECE * b + 7] === GOES_ON) return true;
+    if (this.#known[b] === MADE) return this.piece[PIECE * i + 7] === GOES_ON;
+    if (this.#known[b]! < ENDED) this.#end(b);
+    const { link } = this.#extents;
+    for (let s = SIDES * texel; s < SIDES * (texel + 1); s++) {
+      if (link[s] !== COPLANAR_LINK) return false;
+    }
+    return true;
+  }
+
+  /** Makes the surfels of block `b`, if they are not made yet. Allocates nothing. */
+  find(b: number): void {
+    if (this.#known[b] === MADE) return;
+    const midst = this.block[PIECE * b + 7] === GOES_ON;
+    if (this.#known[b] !== ENDED) this.#findEnds(b);
+    this.#known[b] = MADE;
     const { resolution, data, distance, link, ofTexel, piece } = this;
     const { texels, first } = blocksOf(resolution);
     const table = neighbours(resolution);
     const end = first[b + 1]!;
-    // In the midst of a plane all is known.
-    const midst = this.block[PIECE * b + 7] === GOES_ON;
-    for (let a = first[b]!; a < end; a++) {
-      const texel = texels[a]!;
-      if (midst) {
-        for (let s = SIDES * texel; s < SIDES * (texel + 1); s++) {
-          this.#extents.reach[s] = 0.5;
-          this.#extents.link[s] = COPLANAR_LINK;
-        }
-      } else if (distance[texel]! < Infinity) {
-        findExtents(this.#texels, texel, table, this.#up, this.#extents);
-      }
-    }
     const turn = this.#toBody.w !== 1;
     const { direction, normal } = this.#texels;
     for (let a = first[b]!; a < end; a++) {
@@ -214,13 +260,53 @@ export class Surfels {
       for (let v = 0; v < MOVING; v++) this.#drawn[MOVING * i + v] = data[o + v]!;
       this.#setPiece(i);
     }
+    const extent = this.block[PIECE * b + 3]!;
     this.#bound(b);
-    return true;
+    if (extent < this.block[PIECE * b + 3]!) this.block[PIECE * b + 3] = extent;
+  }
+
+  #end(b: number): void {
+    this.#known[b] = ENDED;
+    this.#findEnds(b);
+    this.#boundQuads(b, this.#extents.reach);
+  }
+
+  /** Finds how far the pieces of block `b` go, and how they go on. */
+  #findEnds(b: number): void {
+    const { resolution, distance } = this;
+    const { texels, first } = blocksOf(resolution);
+    const table = neighbours(resolution);
+    const { reach, link } = this.#extents;
+    // In the midst of a plane all is known.
+    const midst = this.block[PIECE * b + 7] === GOES_ON;
+    for (let a = first[b]!; a < first[b + 1]!; a++) {
+      const texel = texels[a]!;
+      if (midst) {
+        for (let s = SIDES * texel; s < SIDES * (texel + 1); s++) {
+          reach[s] = 0.5;
+          link[s] = COPLANAR_LINK;
+        }
+      } else if (distance[texel]! < Infinity) {
+        findExtents(this.#texels, texel, table, this.#up, this.#extents);
+      }
+    }
+  }
+
+  /** Finds a ball around the pieces of block `b`, before they are cut. @param reach null if it is not known yet */
+  #boundQuads(b: number, reach: Float32Array | null): void {
+    const { block, ofTexel, resolution } = this;
+    const { texels, first } = blocksOf(resolution);
+    for (let v = 0; v < 3; v++) own[v] = block[PIECE * b + v]!;
+    toWorldAxes(this.#toBody);
+    for (let v = 0; v < 3; v++) middle[v] = world[v]!;
+    const most = 0.5 + beyond(resolution);
+    const at = PIECE * b + 3;
+    boundQuads(this.#texels, texels, first[b]!, first[b + 1]!, ofTexel, reach, most, block, at);
   }
 
   /** Makes them all: for tests and tools. */
   findAll(): this {
-    for (let b = 0; b < this.#found.length; b++) this.find(b);
+    for (let b = 0; b < this.#known.length; b++) this.find(b);
     return this;
   }
 
@@ -287,7 +373,7 @@ export class Surfels {
       if (count === 0) {
         block[o] = AWAY;
         block[o + 1] = block[o + 2] = block[o + 3] = 0;
-        this.#found[b] = 1;
+        this.#known[b] = MADE;
         continue;
       }
       x /= count;
@@ -296,7 +382,7 @@ export class Surfels {
       block[o] = x;
       block[o + 1] = y;
       block[o + 2] = z;
-      let extent = flat ? this.#flatExtent(b, offset, blocks) : Infinity;
+      let extent = flat ? this.#flatExtent(b, offset, blocks, beyond(resolution)) : Infinity;
       if (extent === Infinity) {
         extent = 0;
         for (let p = 0; p < 4 * count; p += 4) {
@@ -322,12 +408,12 @@ export class Surfels {
   }
 
   /**
-   * How far from its middle anything of a block can lie that is in one plane: where the rays around what it saw, half a
-   * texel farther out, meet that.
+   * How far from its middle anything of a block can lie that is in one plane: where the rays around what it saw meet that.
    *
+   * @param more how far beyond the texels' borders those pass, in texels
    * @returns metres; Infinity where they do not
    */
-  #flatExtent(b: number, offset: number, { texels, first }: Blocks): number {
+  #flatExtent(b: number, offset: number, { texels, first }: Blocks, more: number): number {
     const { block, ofTexel, resolution: n } = this;
     const o = PIECE * b;
     let x0 = n;
@@ -347,10 +433,10 @@ export class Surfels {
     }
     const { forward: f, right: r, up: u } = FACES[Math.floor(texels[end - 1]! / (n * n))]!;
     const step = 2 / n;
-    const left = step * (x0 - BEYOND) - 1;
-    const right = step * (x1 + 1 + BEYOND) - 1;
-    const bottom = step * (y0 - BEYOND) - 1;
-    const top = step * (y1 + 1 + BEYOND) - 1;
+    const left = step * (x0 - more) - 1;
+    const right = step * (x1 + 1 + more) - 1;
+    const bottom = step * (y0 - more) - 1;
+    const top = step * (y1 + 1 + more) - 1;
     let farthest = 0;
     for (let c = 0; c < 4; c++) {
       const across = (c & 1) === 0 ? left : right;
@@ -370,7 +456,8 @@ export class Surfels {
   }
 
   /** Which blocks lie in the midst of a plane: floors and walls are told apart without a closer look. */
-  #findMidsts({ count, beside, diagonal }: Blocks): void {
+  #findMidsts(blocks: Blocks): void {
+    const { count, beside, diagonal } = blocks;
     const { block } = this;
     for (let b = 0; b < count; b++) {
       if (block[PIECE * b + 7] === MIXED || this.#whole[b] === 0) continue;
@@ -380,7 +467,11 @@ export class Surfels {
       for (let i = 4 * b; i < 4 * b + 4 && around === SIDES; i++) {
         if (diagonal[i]! >= 0 && !this.#isOnePlane(b, diagonal[i]!)) around = 0;
       }
-      if (around === SIDES) block[PIECE * b + 7] = GOES_ON;
+      if (around < SIDES) continue;
+      block[PIECE * b + 7] = GOES_ON;
+      // Its pieces end at its own border.
+      const extent = this.#flatExtent(b, this.#offset[b]!, blocks, 0) * (1 + 1e-6);
+      if (extent < block[PIECE * b + 3]!) block[PIECE * b + 3] = extent;
     }
   }
 
@@ -487,7 +578,7 @@ export class Surfels {
   #findThoseOf(id: number): void {
     const { first, object } = this;
     for (let b = 0; b < first.length - 1; b++) {
-      if (this.#found[b] === 1) continue;
+      if (this.#known[b] === MADE) continue;
       for (let i = first[b]!; i < first[b + 1]!; i++) {
         if (object[i] !== id) continue;
         this.find(b);
@@ -522,6 +613,14 @@ const toWorld = /* @__PURE__ */ new Quaternion();
 const since = /* @__PURE__ */ new Matrix4();
 const toBodyMatrix = /* @__PURE__ */ new Matrix4();
 
+/**
+ * How far beyond its own border a texel's piece goes at most, in texels along each axis of its face: to the neighbour's
+ * far border, which beyond the edge of the face lies a little farther.
+ */
+function beyond(resolution: number): number {
+  return resolution / Math.max(1, resolution - 2);
+}
+
 /** Does the matrix keep lengths, to a part in a thousand? */
 function isRigid({ elements: e }: Matrix4): boolean {
   for (let c = 0; c < 12; c += 4) {
@@ -548,7 +647,7 @@ function tangents(data: Float32Array, o: number): void {
 }
 
 /** Turns the vector at `o`. */
-function rotate(data: Float32Array, o: number, q: Quaternion): void {
+function rotate(data: Float32Array | Float64Array, o: number, q: Quaternion): void {
   turned.set(data[o]!, data[o + 1]!, data[o + 2]!).applyQuaternion(q);
   data[o] = turned.x;
   data[o + 1] = turned.y;

@@ -73,9 +73,9 @@ function findIn(
   for (let r = 0; r < firstBlock.length - 1; r++) {
     if (isOutOfReach(region, PIECE * r)) continue;
     for (let b = firstBlock[r]!; b < firstBlock[r + 1]!; b++) {
-      if (isOutOfReach(block, PIECE * b)) continue;
-      if (surfels.find(b) && isOutOfReach(block, PIECE * b)) continue;
-      if (!memory.hasOwn(kept, b)) continue;
+      let away = isOutOfReach(block, PIECE * b);
+      while (!away && surfels.refine(b)) away = isOutOfReach(block, PIECE * b);
+      if (away || !memory.hasOwn(kept, b)) continue;
       for (let i = first[b]!; i < first[b + 1]!; i++) {
         if (again[i] === 1 || isOutOfReach(piece, PIECE * i)) continue;
         note(field, i);

@@ -31,9 +31,9 @@ export function hasTread(
     for (let r = 0; r < firstBlock.length - 1; r++) {
       if (!mayBeTread(region, PIECE * r)) continue;
       for (let b = firstBlock[r]!; b < firstBlock[r + 1]!; b++) {
-        if (!mayBeTread(block, PIECE * b)) continue;
-        if (surfels.find(b) && !mayBeTread(block, PIECE * b)) continue;
-        if (!memory.hasOwn(k, b)) continue;
+        let may = mayBeTread(block, PIECE * b);
+        while (may && surfels.refine(b)) may = mayBeTread(block, PIECE * b);
+        if (!may || !memory.hasOwn(k, b)) continue;
         for (let i = first[b]!; i < first[b + 1]!; i++) {
           if (again[i] === 0 && mayBeTread(piece, PIECE * i)) return true;
         }

@@ -1,8 +1,7 @@
 import type { Object3D, Quaternion } from 'three';
 import { directionTexel } from '../cube/texelDirections.js';
-import { GOES_ON, PIECE } from './pieces.js';
 import { CORNERS, STRIDE } from './layout.js';
-import type { Surfels } from './Surfels.js';
+import { plane, type Surfels } from './Surfels.js';
 import { own, toWorldAxes, world } from './toWorldAxes.js';
 
 /** Planes no farther apart than this are one, metres. */
@@ -45,24 +44,15 @@ export function isSeenAgain(
     const texel = directionTexel(world[0]!, world[1]!, world[2]!, newer.resolution);
     const j = newer.ofTexel[texel]!;
     if (j < 0 || objectOf(newer, j) !== object) return false;
-    const b = newer.blockOf[j]!;
-    // In the midst of a plane what holds of the block holds of all in it.
-    let plane = newer.block;
-    let p = PIECE * b;
-    if (plane[p + 7] !== GOES_ON) {
-      newer.find(b);
-      plane = newer.piece;
-      p = PIECE * j;
-      if (plane[p + 7] !== GOES_ON) return false;
-    }
+    newer.planeOf(texel, j);
     let alike = 0;
     let off = 0;
     for (let v = 0; v < 3; v++) {
-      const n = plane[p + 4 + v]!;
+      const n = plane[v]!;
       alike += n * data[o + 3 + v]!;
-      off += n * (own[v]! - plane[p + v]!);
+      off += n * (own[v]! - plane[3 + v]!);
     }
-    if (alike < SAME_NORMAL || Math.abs(off) > SAME_PLANE) return false;
+    if (alike < SAME_NORMAL || Math.abs(off) > SAME_PLANE || !newer.goesOn(texel, j)) return false;
   }
   return true;
 }

@@ -74,9 +74,9 @@ export function timeOfImpact(
     for (let r = 0; r < firstBlock.length - 1; r++) {
       if (passesBy(region, PIECE * r)) continue;
       for (let b = firstBlock[r]!; b < firstBlock[r + 1]!; b++) {
-        if (passesBy(block, PIECE * b)) continue;
-        if (surfels.find(b) && passesBy(block, PIECE * b)) continue;
-        if (!memory.hasOwn(k, b)) continue;
+        let away = passesBy(block, PIECE * b);
+        while (!away && surfels.refine(b)) away = passesBy(block, PIECE * b);
+        if (away || !memory.hasOwn(k, b)) continue;
         for (let i = first[b]!; i < first[b + 1]!; i++) {
           if (again[i] === 1 || passesBy(piece, PIECE * i)) continue;
           if (id !== 0 && object[i] !== id) continue;
