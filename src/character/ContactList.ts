@@ -14,12 +14,17 @@ import type { CharacterEventMap } from './characterEvents.js';
 import type { CharacterState } from './CharacterState.js';
 import { Contact } from './Contact.js';
 
+/** Where the normal rises less than the surface's own by this, an edge is touched: a part of it. */
+const EDGE = 0.08;
+
 /** What the body touches and stands on, and the events that tell of it. */
 export class ContactList {
   /** What is touched now; overwritten by the next step. */
   readonly contacts: Contact[] = [];
   /** The contact that carries the body, of several the flattest; null in the air. */
   ground: Contact | null = null;
+  /** Whether it touches the edge of something flat enough to stand on. */
+  edged = false;
 
   readonly #pool: Contact[] = [];
   /** Solid things and sensors touched when events were sent last. Lists are short: no sets, whose loops make objects. */
@@ -30,6 +35,7 @@ export class ContactList {
   clear(): void {
     this.contacts.length = 0;
     this.ground = null;
+    this.edged = false;
   }
 
   /** Takes over what the response found around the body. */
@@ -43,10 +49,12 @@ export class ContactList {
     const set = response.contacts;
     this.contacts.length = 0;
     this.ground = null;
+    this.edged = false;
     let flattest = -Infinity;
     for (let i = 0; i < set.count; i++) {
       if (set.gap[i]! > limits.skin + TOUCH) continue;
       const contact = this.#take(set, i, memory, toWorld);
+      if (isEdge(set, i, limits)) this.edged = true;
       if (!walking || !response.carries(set, i, limits)) continue;
       const up = set.normal[3 * i + 1]!;
       if (up <= flattest) continue;
@@ -142,3 +150,8 @@ const box = /* @__PURE__ */ new Box3();
 const inverse = /* @__PURE__ */ new Matrix4();
 const place = /* @__PURE__ */ new Vector3();
 const near = /* @__PURE__ */ new Vector3();
+
+function isEdge({ normal, surfaceUp }: ContactSet, i: number, limits: SlideLimits): boolean {
+  const up = normal[3 * i + 1]!;
+  return up > 0 && surfaceUp[i]! >= limits.slope && surfaceUp[i]! - up > EDGE;
+}

@@ -1,10 +1,14 @@
 import { Vector3 } from 'three';
 import type { Survey } from './CharacterCollider.js';
 
-/** Way made between two draws, metres: at 5 m/s and 60 Hz every fourth frame. */
-const INTERVAL = 0.34;
+/** Way made between two draws, metres: at 5 m/s and 60 Hz every seventh frame. */
+const INTERVAL = 0.55;
 /** The same for what is fast, seconds. */
-const INTERVAL_TIME = 4 / 60;
+const INTERVAL_TIME = 6 / 60;
+/** Of both so much remains on edges, and where fields come too late to be drawn far enough ahead. */
+const FINE_RATIO = 0.6;
+/** How much farther from the last draw's centre than it was then the body may get, metres: it has turned away. */
+const TURNED = 0.17;
 /** Most of a field's room that may be used up between two draws. */
 const ROOM_RATIO = 0.6;
 /** Time between draws of what moves, seconds. */
@@ -28,6 +32,8 @@ const STILL = 0.01;
  * When to draw the next cubemap, and where: seldom, for reading back is what costs.
  */
 export class DrawPolicy {
+  /** Whether what it stands on has edges, as stairs do: these are seen well from near by only. */
+  edged = false;
   /** Centre of the last draw, and where the body was then. */
   readonly center = new Vector3(NaN, NaN, NaN);
   readonly #from = new Vector3();
@@ -54,6 +60,7 @@ export class DrawPolicy {
    * @param pressing whether it wants to walk
    * @param sees whether what is ahead can be seen
    * @param empty whether there is no field at all
+   * @param latency seconds from a draw to its field
    * @param dt seconds since it was asked last
    */
   due(
@@ -66,6 +73,7 @@ export class DrawPolicy {
     pressing: boolean,
     sees: boolean,
     empty: boolean,
+    latency: number,
     dt: number,
   ): boolean {
     this.#since += dt;
@@ -78,12 +86,12 @@ export class DrawPolicy {
     if (waiting) return middle.distanceTo(this.center) > HERE || this.#since > PATIENCE;
     if ((survey.moved || hurry) && this.#since >= MOVER_INTERVAL) return true;
     if (survey.deforms && this.#since >= MAX_AGE) return true;
-    const most = interval(speed, room);
+    const most = this.#interval(speed, room, latency);
     const made = middle.distanceTo(this.#from);
     if (made > most || (!sees && made > LEAST)) return true;
     // It turned away from where it was expected.
     const away = middle.distanceTo(this.center);
-    if (away > this.#from.distanceTo(this.center) + 0.5 * most) return true;
+    if (away > this.#from.distanceTo(this.center) + Math.min(TURNED, 0.5 * most)) return true;
     return this.#rested > this.#patience && !this.#settled && away > 0.02;
   }
 
@@ -103,7 +111,8 @@ export class DrawPolicy {
     const speed = velocity.length();
     target.copy(middle);
     if (speed < STILL) return target;
-    const ahead = Math.min(speed * latency + 0.5 * interval(speed, room), ROOM_RATIO * room);
+    const wanted = speed * latency + 0.5 * this.#interval(speed, room, latency);
+    const ahead = Math.min(wanted, ROOM_RATIO * room);
     return target.addScaledVector(velocity, ahead / speed);
   }
 
@@ -114,8 +123,12 @@ export class DrawPolicy {
     this.#since = 0;
     this.#settled = this.#rested > this.#patience;
   }
-}
 
-function interval(speed: number, room: number): number {
-  return Math.min(Math.max(INTERVAL, speed * INTERVAL_TIME), ROOM_RATIO * room);
+  /** Way between two draws. What a field cannot be drawn farther ahead for is lost on either side of its centre. */
+  #interval(speed: number, room: number, latency: number): number {
+    const most = Math.max(INTERVAL, speed * INTERVAL_TIME);
+    const lost = Math.max(0, 2 * speed * latency + most - 2 * ROOM_RATIO * room);
+    const left = this.edged ? FINE_RATIO * most : Math.max(FINE_RATIO * most, most - lost);
+    return Math.min(left, ROOM_RATIO * room);
+  }
 }

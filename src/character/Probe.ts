@@ -106,6 +106,7 @@ export class Probe<R, S> {
    * @param velocity body's frame, m/s
    * @param waiting whether the body stands for want of a field
    * @param pressing whether it wants to walk
+   * @param edged whether what it stands on has edges
    * @param dt seconds since it was asked last
    * @param clock the character's, seconds
    */
@@ -115,10 +116,12 @@ export class Probe<R, S> {
     velocity: Vector3,
     waiting: boolean,
     pressing: boolean,
+    edged: boolean,
     dt: number,
     clock: number,
   ): boolean {
     this.#sees = this.seesAhead(velocity, this.latency + SOON);
+    this.#policy.edged = edged;
     const empty = this.#memory.newest === null;
     this.#middle(middle);
     const due = this.#policy.due(
@@ -131,6 +134,7 @@ export class Probe<R, S> {
       pressing,
       this.#sees,
       empty,
+      this.latency,
       dt,
     );
     return due || this.#isLate(clock);

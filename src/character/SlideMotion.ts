@@ -27,6 +27,8 @@ const WEDGED = 0.05;
 const RIDE_GAP = 2.5 / 60;
 /** Least time that a ride is taken to last, seconds: of a frame of none it would be endlessly fast. */
 const LEAST_TIME = 1 / 1000;
+/** After standing on an edge the ground counts as edged for so long, seconds. */
+const EDGED = 0.5;
 /** The body overlaps with what squeezes it by more than this, metres. */
 const SQUEEZE = 0.001;
 
@@ -85,6 +87,8 @@ export class SlideMotion<R, S> implements Motion<R, S> {
   #changedAt = -Infinity;
   /** Seconds since what it stands on moved last. */
   #sinceRide = 0;
+  /** Seconds since it stood on an edge. */
+  #sinceEdge = Infinity;
   /** Told of once the frame is done: who hears of it may put the character elsewhere. */
   readonly #news: CharacterEvent[] = [];
   #unvouched = 0;
@@ -189,9 +193,11 @@ export class SlideMotion<R, S> implements Motion<R, S> {
     this.#report();
     const hurry = this.#platforms.bends || this.#watch.unsure;
     const pressing = this.#wish.x !== 0 || this.#wish.z !== 0;
-    const clock = this.#clock;
-    if (this.#probe.isDue(survey, hurry, this.#velocity, this.#waiting, pressing, dt, clock)) {
-      this.#draw(renderer, scene, !this.#waiting);
+    const edged = this.#sinceEdge < EDGED;
+    const waiting = this.#waiting;
+    const velocity = this.#velocity;
+    if (this.#probe.isDue(survey, hurry, velocity, waiting, pressing, edged, dt, this.#clock)) {
+      this.#draw(renderer, scene, !waiting);
     }
   }
 
@@ -327,6 +333,7 @@ export class SlideMotion<R, S> implements Motion<R, S> {
     }
     this.#noteSqueeze();
     this.list.fill(this.#response, this.#memory, this.#limits, this.#toWorld, this.#walking);
+    this.#sinceEdge = this.list.edged ? 0 : this.#sinceEdge + STEP;
     const moved =
       Math.abs(this.#body.x - x) + Math.abs(this.#body.y - y) + Math.abs(this.#body.z - z);
     const still = this.#walking && !this.#response.waited && moved < STILL;

@@ -146,6 +146,7 @@ export class CameraBoom<R = unknown, S = unknown> implements Boom {
       this.#blind,
       !this.#blind,
       this.#memory.newest === null && this.#clock - this.#drawn > LATE,
+      0,
       delta,
     );
     if (due || this.#isLate() || this.#isShort()) this.#draw(renderer, scene);
