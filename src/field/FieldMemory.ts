@@ -11,17 +11,16 @@ const KEPT = 3;
 /** An older field drawn this near to a new one is of no more use, metres. */
 const SAME_PLACE = 0.05;
 
-/** Of a block of an older field: not asked yet, has surfels of its own, or has none. */
-const UNKNOWN = 0;
+/** Of a block of a kept field: none of its surfels is its own; else 1 + the number of newer fields that may yet show them. */
+export const NONE = 0;
 const OWN = 1;
-const NONE = 2;
 
 /** One kept field. */
 export interface KeptField {
   readonly surfels: Surfels;
   /** By a surfel's number: 1 where a newer field shows it again, so that it is passed over here. */
   readonly again: Uint8Array;
-  /** What is known of each block of them, see `UNKNOWN`. */
+  /** What is known of each block of them, see `NONE`. */
   readonly blocks: Uint8Array;
   /** For `findContacts`: distance of each from the body's axis, by its number; Infinity where not looked at. */
   readonly distance: Float32Array;
@@ -52,7 +51,7 @@ export class FieldMemory {
     if (slot?.surfels.resolution !== field.resolution) slot = keptField(field.resolution);
     slot.surfels.fill(field, this.toBody);
     slot.again.fill(0);
-    slot.blocks.fill(UNKNOWN);
+    slot.blocks.fill(OWN);
     // What was seen from here before is seen again.
     for (let k = this.kept.length - 1; k >= 0; k--) {
       if (this.kept[k]!.surfels.center.distanceTo(field.center) > SAME_PLACE) continue;
@@ -60,7 +59,7 @@ export class FieldMemory {
     }
     // What nothing so far shows again, the newest may.
     for (const { blocks } of this.kept) {
-      for (let b = 0; b < blocks.length; b++) if (blocks[b] === OWN) blocks[b] = UNKNOWN;
+      for (let b = 0; b < blocks.length; b++) if (blocks[b] !== NONE) blocks[b]!++;
     }
     this.kept.unshift(slot);
     this.revision++;
@@ -94,23 +93,24 @@ export class FieldMemory {
    * once a new field. Only of blocks of interest: most are not.
    */
   hasOwn(k: number, b: number): boolean {
-    if (k === 0) return true;
     const { surfels, again, blocks } = this.kept[k]!;
-    if (blocks[b] === UNKNOWN) {
+    const unasked = Math.min(k, blocks[b]! - OWN);
+    if (unasked > 0) {
       blocks[b] = NONE;
       surfels.find(b);
       for (let i = surfels.first[b]!; i < surfels.first[b + 1]!; i++) {
         if (again[i] === 1) continue;
-        if (this.#isSeenAgain(k, i)) again[i] = 1;
+        if (this.#isSeenAgain(k, i, unasked)) again[i] = 1;
         else blocks[b] = OWN;
       }
     }
-    return blocks[b] === OWN;
+    return blocks[b] !== NONE;
   }
 
-  #isSeenAgain(k: number, i: number): boolean {
+  /** @param newest how many of the newer fields to ask */
+  #isSeenAgain(k: number, i: number, newest: number): boolean {
     const { surfels } = this.kept[k]!;
-    for (let newer = 0; newer < k; newer++) {
+    for (let newer = 0; newer < newest; newer++) {
       if (isSeenAgain(this.kept[newer]!.surfels, surfels, i, this.toBody)) return true;
     }
     return false;

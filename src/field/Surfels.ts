@@ -90,7 +90,7 @@ export class Surfels {
   /** 1 for each object that has moved since it was drawn; its place is its number in `object`. */
   readonly moved: Uint8Array = new Uint8Array(65536);
 
-  /** Surfels as drawn, before any was carried. */
+  /** Surfels as drawn, of objects that have moved since. */
   readonly #drawn: Float32Array;
   readonly #drawnPoses: Matrix4[] = [];
   readonly #extents: Extents;
@@ -257,7 +257,6 @@ export class Surfels {
         if (goes !== COPLANAR_LINK) kind = ENDS;
       }
       piece[PIECE * i + 7] = kind;
-      for (let v = 0; v < MOVING; v++) this.#drawn[MOVING * i + v] = data[o + v]!;
       this.#setPiece(i);
     }
     const extent = this.block[PIECE * b + 3]!;
@@ -498,9 +497,8 @@ export class Surfels {
    * @returns whether they hold
    */
   carry(id: number, toBody: Quaternion, now = this.objects[id - 1]!.matrixWorld): boolean {
-    this.#findThoseOf(id);
+    this.#unfix(id);
     this.poses[id - 1]!.copy(now);
-    this.moved[id] = 1;
     since
       .copy(this.#drawnPoses[id - 1]!)
       .invert()
@@ -524,8 +522,7 @@ export class Surfels {
    * @param toBody turns world axes into the body's
    */
   bend(id: number, instance: number, way: Matrix4, toBody: Quaternion): void {
-    this.#findThoseOf(id);
-    this.moved[id] = 1;
+    this.#unfix(id);
     since.copy(way);
     if (isRigid(since)) this.#move(id, instance, toBody, this.data, STRIDE);
   }
@@ -574,15 +571,16 @@ export class Surfels {
     this.#boundRegions();
   }
 
-  /** What is to be moved must be made. */
-  #findThoseOf(id: number): void {
-    const { first, object } = this;
+  /** What is to be moved must be made, and is kept as it was drawn. */
+  #unfix(id: number): void {
+    if (this.moved[id] === 1) return;
+    this.moved[id] = 1;
+    const { data, first, object } = this;
     for (let b = 0; b < first.length - 1; b++) {
-      if (this.#known[b] === MADE) continue;
       for (let i = first[b]!; i < first[b + 1]!; i++) {
         if (object[i] !== id) continue;
         this.find(b);
-        break;
+        for (let v = 0; v < MOVING; v++) this.#drawn[MOVING * i + v] = data[STRIDE * i + v]!;
       }
     }
   }

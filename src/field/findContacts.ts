@@ -1,6 +1,6 @@
 import type { Capsule } from './Capsule.js';
 import { ContactSet } from './ContactSet.js';
-import type { FieldMemory, KeptField } from './FieldMemory.js';
+import { type FieldMemory, type KeptField, NONE } from './FieldMemory.js';
 import { SIDES } from './neighbours.js';
 import { axis, isOutOfReach, PIECE } from './pieces.js';
 import { nearest, surfelDistance } from './surfelDistance.js';
@@ -51,7 +51,7 @@ function findIn(
   target: ContactSet,
 ): void {
   const field = memory.kept[kept]!;
-  const { surfels, again, distance } = field;
+  const { surfels, again, blocks, distance } = field;
   const { block, data, first, firstBlock, origin, piece, region } = surfels;
   const x = capsule.x - origin.x;
   const z = capsule.z - origin.z;
@@ -73,7 +73,7 @@ function findIn(
   for (let r = 0; r < firstBlock.length - 1; r++) {
     if (isOutOfReach(region, PIECE * r)) continue;
     for (let b = firstBlock[r]!; b < firstBlock[r + 1]!; b++) {
-      let away = isOutOfReach(block, PIECE * b);
+      let away = blocks[b] === NONE || isOutOfReach(block, PIECE * b);
       while (!away && surfels.refine(b)) away = isOutOfReach(block, PIECE * b);
       if (away || !memory.hasOwn(kept, b)) continue;
       for (let i = first[b]!; i < first[b + 1]!; i++) {

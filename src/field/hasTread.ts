@@ -1,5 +1,5 @@
 import type { Capsule } from './Capsule.js';
-import type { FieldMemory } from './FieldMemory.js';
+import { type FieldMemory, NONE } from './FieldMemory.js';
 import { MIXED, PIECE } from './pieces.js';
 
 /** x, z and radius of an upright cylinder, its lower and upper end's y, and the least Y of the normals of interest. */
@@ -20,7 +20,7 @@ export function hasTread(
   slope: number,
 ): boolean {
   for (let k = 0; k < memory.kept.length; k++) {
-    const { surfels, again } = memory.kept[k]!;
+    const { surfels, again, blocks } = memory.kept[k]!;
     const { block, first, firstBlock, origin, piece, region } = surfels;
     query[0] = capsule.x - origin.x;
     query[1] = capsule.z - origin.z;
@@ -31,7 +31,7 @@ export function hasTread(
     for (let r = 0; r < firstBlock.length - 1; r++) {
       if (!mayBeTread(region, PIECE * r)) continue;
       for (let b = firstBlock[r]!; b < firstBlock[r + 1]!; b++) {
-        let may = mayBeTread(block, PIECE * b);
+        let may = blocks[b] !== NONE && mayBeTread(block, PIECE * b);
         while (may && surfels.refine(b)) may = mayBeTread(block, PIECE * b);
         if (!may || !memory.hasOwn(k, b)) continue;
         for (let i = first[b]!; i < first[b + 1]!; i++) {

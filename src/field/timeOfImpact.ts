@@ -1,6 +1,6 @@
 import type { Object3D } from 'three';
 import type { Capsule } from './Capsule.js';
-import type { FieldMemory } from './FieldMemory.js';
+import { type FieldMemory, NONE } from './FieldMemory.js';
 import { axis, GOES_ON, MIXED, PIECE } from './pieces.js';
 import { nearest, surfelDistance } from './surfelDistance.js';
 import type { Surfels } from './Surfels.js';
@@ -63,7 +63,7 @@ export function timeOfImpact(
   query[10] = graze < gap ? GRAZING * length : 0;
   query[11] = 1;
   for (let k = 0; k < memory.kept.length; k++) {
-    const { surfels, again } = memory.kept[k]!;
+    const { surfels, again, blocks } = memory.kept[k]!;
     const { block, first, firstBlock, object, origin, piece, region } = surfels;
     const id = only === null ? 0 : surfels.objects.indexOf(only) + 1;
     if (only !== null && id === 0) continue;
@@ -74,7 +74,7 @@ export function timeOfImpact(
     for (let r = 0; r < firstBlock.length - 1; r++) {
       if (passesBy(region, PIECE * r)) continue;
       for (let b = firstBlock[r]!; b < firstBlock[r + 1]!; b++) {
-        let away = passesBy(block, PIECE * b);
+        let away = blocks[b] === NONE || passesBy(block, PIECE * b);
         while (!away && surfels.refine(b)) away = passesBy(block, PIECE * b);
         if (away || !memory.hasOwn(k, b)) continue;
         for (let i = first[b]!; i < first[b + 1]!; i++) {
