@@ -13,4 +13,17 @@ export class ContactSet {
   /** Which kept field it was found in, and which of its surfels it is. */
   readonly kept = new Int32Array(ContactSet.CAPACITY);
   readonly surfel = new Int32Array(ContactSet.CAPACITY);
+
+  /** Adds contact `i` of another set. There must be room. */
+  take(other: ContactSet, i: number): void {
+    const c = this.count++;
+    for (let v = 0; v < 3; v++) {
+      this.point[3 * c + v] = other.point[3 * i + v]!;
+      this.normal[3 * c + v] = other.normal[3 * i + v]!;
+    }
+    this.gap[c] = other.gap[i]!;
+    this.surfaceUp[c] = other.surfaceUp[i]!;
+    this.kept[c] = other.kept[i]!;
+    this.surfel[c] = other.surfel[i]!;
+  }
 }

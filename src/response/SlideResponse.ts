@@ -75,6 +75,19 @@ export class SlideResponse {
   climbed = 0;
 
   readonly #ahead = new ContactSet();
+  /** What `#ahead` was last filled for. */
+  readonly #seen = {
+    memory: null as FieldMemory | null,
+    revision: 0,
+    x: 0,
+    y: 0,
+    z: 0,
+    height: 0,
+    radius: 0,
+    reach: -Infinity,
+  };
+  /** Farthest look of this call, beyond the skin, metres. */
+  #reach = TOUCH;
   readonly #planes = new Planes();
   readonly #d: Solution = { x: 0, y: 0, z: 0 };
   readonly #way: Solution = { x: 0, y: 0, z: 0 };
@@ -88,9 +101,46 @@ export class SlideResponse {
     );
   }
 
-  /** Fills `contacts` around the body, within the skin and `reach` more. */
-  look(memory: FieldMemory, body: Capsule, limits: SlideLimits, reach = TOUCH): ContactSet {
-    return findContacts(memory, body, limits.skin + reach, this.contacts);
+  /** Fills `contacts` around the body, within the skin and a little more. */
+  look(memory: FieldMemory, body: Capsule, limits: SlideLimits): ContactSet {
+    // As far as the next step will want to see, which begins here.
+    const { contacts } = this;
+    const set = this.#see(memory, body, limits.skin + this.#reach);
+    contacts.count = 0;
+    for (let i = 0; i < set.count; i++) {
+      if (set.gap[i]! < limits.skin + TOUCH) contacts.take(set, i);
+    }
+    return contacts;
+  }
+
+  /** Fills `#ahead` around the body within `reach`, or farther, if it is not filled so already. */
+  #see(memory: FieldMemory, body: Capsule, reach: number): ContactSet {
+    const seen = this.#seen;
+    const same =
+      seen.memory === memory &&
+      seen.revision === memory.revision &&
+      seen.x === body.x &&
+      seen.y === body.y &&
+      seen.z === body.z &&
+      seen.height === body.height &&
+      seen.radius === body.radius;
+    if (same && reach <= seen.reach) return this.#ahead;
+    this.#find(memory, body, reach);
+    seen.memory = memory;
+    seen.revision = memory.revision;
+    seen.x = body.x;
+    seen.y = body.y;
+    seen.z = body.z;
+    seen.height = body.height;
+    seen.radius = body.radius;
+    seen.reach = reach;
+    return this.#ahead;
+  }
+
+  /** Fills `#ahead` around the body within `reach`. */
+  #find(memory: FieldMemory, body: Capsule, reach: number): ContactSet {
+    this.#seen.reach = -Infinity;
+    return findContacts(memory, body, reach, this.#ahead);
   }
 
   /** Moves `body` through the air by x, y, z: slides along what it meets. */
@@ -184,7 +234,7 @@ export class SlideResponse {
 
   /** Is there room for the body as it is, to half its skin? */
   fits(memory: FieldMemory, body: Capsule, limits: SlideLimits): boolean {
-    const set = findContacts(memory, body, limits.skin, this.#ahead);
+    const set = this.#find(memory, body, limits.skin);
     for (let i = 0; i < set.count; i++) if (set.gap[i]! < 0.5 * limits.skin) return false;
     return this.isKnown(memory, body);
   }
@@ -193,6 +243,14 @@ export class SlideResponse {
     this.slack = 0;
     this.waited = false;
     this.climbed = 0;
+    this.#reach = TOUCH;
+  }
+
+  /** How far beyond the skin to look before a way of so much: a little more than needed, for it may vary. */
+  #reachOf(travel: number): number {
+    const reach = travel + TOUCH;
+    if (reach > this.#reach) this.#reach = (1 + 1e-6) * reach;
+    return reach;
   }
 
   #supported(memory: FieldMemory, body: Capsule, limits: SlideLimits): boolean {
@@ -238,7 +296,7 @@ export class SlideResponse {
   /** Every contact that `travel` may bring nearer than the skin, as a plane. */
   #planesAhead(memory: FieldMemory, body: Capsule, travel: number, limits: SlideLimits): void {
     const { skin } = limits;
-    const set = findContacts(memory, body, skin + travel + TOUCH, this.#ahead);
+    const set = this.#see(memory, body, skin + this.#reachOf(travel));
     const { normal } = set;
     this.#planes.clear();
     for (let i = 0; i < set.count; i++) {
@@ -261,7 +319,7 @@ export class SlideResponse {
   ): void {
     const { skin } = limits;
     // A slope at the limit falls by more than the way made.
-    const set = findContacts(memory, body, skin + 2 * travel + TOUCH, this.#ahead);
+    const set = this.#see(memory, body, skin + this.#reachOf(2 * travel));
     const { normal, gap, count } = set;
     const d = this.#d;
     d.x = dx;
@@ -500,9 +558,9 @@ export class SlideResponse {
     const reach = limits.skin + Math.sqrt(x * x + z * z) + TOUCH;
     const { y } = body;
     this.#planes.clear();
-    this.#addWalls(findContacts(memory, body, reach, this.#ahead), x, z, -Infinity, limits);
+    this.#addWalls(this.#find(memory, body, reach), x, z, -Infinity, limits);
     body.y = floor;
-    this.#addWalls(findContacts(memory, body, reach, this.#ahead), x, z, -BESIDE, limits);
+    this.#addWalls(this.#find(memory, body, reach), x, z, -BESIDE, limits);
     body.y = y;
     const way = this.#put(x, 0, z);
     solvePlanes(this.#planes, way);
@@ -526,7 +584,7 @@ export class SlideResponse {
 
   /** Does the body stand on a surface flat enough, no more than a step above `floor`, with room around it? */
   #stands(memory: FieldMemory, body: Capsule, floor: number, limits: SlideLimits): boolean {
-    const set = findContacts(memory, body, limits.skin + TOUCH, this.#ahead);
+    const set = this.#find(memory, body, limits.skin + TOUCH);
     let stands = false;
     for (let i = 0; i < set.count; i++) {
       const up = set.normal[3 * i + 1]!;
