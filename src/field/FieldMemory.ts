@@ -1,6 +1,7 @@
 import type { Quaternion } from 'three';
 import { directionTexel } from '../cube/texelDirections.js';
 import { isKnownFree } from './knownFree.js';
+import { axis, PIECE } from './pieces.js';
 import { isSeenAgain } from './seenAgain.js';
 import { Surfels } from './Surfels.js';
 import { own, toWorldAxes, world } from './toWorldAxes.js';
@@ -10,6 +11,8 @@ import type { SurfaceField } from './SurfaceField.js';
 const KEPT = 3;
 /** An older field drawn this near to a new one is of no more use, metres. */
 const SAME_PLACE = 0.05;
+/** How much farther than asked blocks are collected, metres. */
+const MARGIN = 0.3;
 
 /** Of a block of a kept field: none of its surfels is its own; else 1 + the number of newer fields that may yet show them. */
 export const NONE = 0;
@@ -22,6 +25,9 @@ export interface KeptField {
   readonly again: Uint8Array;
   /** What is known of each block of them, see `NONE`. */
   readonly blocks: Uint8Array;
+  /** Numbers of those that `FieldMemory.gather` found near, `nears` of them. */
+  readonly near: Uint16Array;
+  nears: number;
   /** For `findContacts`: distance of each from the body's axis, by its number; Infinity where not looked at. */
   readonly distance: Float32Array;
 }
@@ -35,6 +41,9 @@ export class FieldMemory {
   /** Grows whenever what is known changes. */
   revision = 0;
   readonly #spare: KeptField[] = [];
+  /** What `near` was collected for, as `axis`, and the revision then. */
+  readonly #gathered = new Float64Array(5);
+  #gatheredAt = -1;
 
   /** @param toBody turns world axes into the body's */
   constructor(readonly toBody: Quaternion) {}
@@ -85,6 +94,52 @@ export class FieldMemory {
       if (this.kept[k]!.surfels.asked > clock) continue;
       this.#spare.push(...this.kept.splice(k, 1));
       this.revision++;
+    }
+  }
+
+  /**
+   * Sees to it that the blocks which may come within `reach` of a segment are among the `near` of each kept field: those
+   * within a little more are collected at once, so that a few steps' questions need not look through all.
+   *
+   * Reads `axis`, which is relative to no field here: body's frame, metres.
+   */
+  gather(): void {
+    const x = axis[0]!;
+    const z = axis[1]!;
+    const low = axis[2]!;
+    const high = axis[3]!;
+    const reach = axis[4]!;
+    const g = this.#gathered;
+    if (this.#gatheredAt === this.revision) {
+      const dx = x - g[0]!;
+      const dz = z - g[1]!;
+      const below = g[2]! - low;
+      const above = high - g[3]!;
+      const dy = Math.max(0, below, above);
+      if (Math.sqrt(dx * dx + dy * dy + dz * dz) + reach <= g[4]!) return;
+    }
+    this.#gatheredAt = this.revision;
+    g[0] = x;
+    g[1] = z;
+    g[2] = low;
+    g[3] = high;
+    g[4] = reach + MARGIN;
+    for (let k = 0; k < this.kept.length; k++) {
+      const field = this.kept[k]!;
+      const { blocks, near, surfels } = field;
+      const { block, origin } = surfels;
+      let n = 0;
+      for (let b = 0; b < blocks.length; b++) {
+        if (blocks[b] === NONE) continue;
+        const p = PIECE * b;
+        const dx = block[p]! + origin.x - x;
+        const dz = block[p + 2]! + origin.z - z;
+        const y = block[p + 1]! + origin.y;
+        const dy = y < low ? low - y : y > high ? y - high : 0;
+        const within = g[4]! + block[p + 3]!;
+        if (dx * dx + dy * dy + dz * dz < within * within) near[n++] = b;
+      }
+      field.nears = n;
     }
   }
 
@@ -168,6 +223,8 @@ function keptField(resolution: number): KeptField {
     surfels,
     again: new Uint8Array(count),
     blocks: new Uint8Array(surfels.first.length - 1),
+    near: new Uint16Array(surfels.first.length - 1),
+    nears: 0,
     distance: new Float32Array(count).fill(Infinity),
   };
 }

@@ -7,7 +7,7 @@ import { APART, COPLANAR_LINK, type Extents, findExtents } from './extents.js';
 import { isSeam } from './isSeam.js';
 import { STRIDE } from './layout.js';
 import { neighbours, SIDES } from './neighbours.js';
-import { AWAY, boundBalls, boundBlock, ENDS, GOES_ON, MIXED, PIECE } from './pieces.js';
+import { AWAY, boundBlock, ENDS, GOES_ON, MIXED, PIECE } from './pieces.js';
 import type { SurfaceField } from './SurfaceField.js';
 import type { Texels } from './Texels.js';
 import { own, toWorldAxes, world } from './toWorldAxes.js';
@@ -58,10 +58,6 @@ export class Surfels {
   readonly piece: Float32Array;
   /** The same of blocks of surfels, which are numbered block by block. */
   readonly block: Float32Array;
-  /** The same, but for the plane, of regions of blocks. */
-  readonly region: Float32Array;
-  /** Number of each region's first block, and behind the last region's last. */
-  readonly firstBlock: Int32Array;
   /** Number of each block's first surfel, and behind the last block's last. */
   readonly first: Int32Array;
   /** Each surfel's block. */
@@ -112,8 +108,6 @@ export class Surfels {
     this.piece = new Float32Array(PIECE * count);
     const blocks = blocksOf(resolution);
     this.block = new Float32Array(PIECE * blocks.count);
-    this.firstBlock = blocks.regions;
-    this.region = new Float32Array(PIECE * (blocks.regions.length - 1));
     this.first = new Int32Array(blocks.count + 1);
     this.#known = new Uint8Array(blocks.count);
     this.#offset = new Float64Array(blocks.count);
@@ -403,7 +397,6 @@ export class Surfels {
         rotate(block, PIECE * b + 4, this.#toBody);
       }
     }
-    this.#boundRegions();
   }
 
   /**
@@ -568,7 +561,6 @@ export class Surfels {
         break;
       }
     }
-    this.#boundRegions();
   }
 
   /** What is to be moved must be made, and is kept as it was drawn. */
@@ -582,13 +574,6 @@ export class Surfels {
         this.find(b);
         for (let v = 0; v < MOVING; v++) this.#drawn[MOVING * i + v] = data[STRIDE * i + v]!;
       }
-    }
-  }
-
-  #boundRegions(): void {
-    const { block, firstBlock, region } = this;
-    for (let r = 0; r < firstBlock.length - 1; r++) {
-      boundBalls(block, firstBlock[r]!, firstBlock[r + 1]!, region, r);
     }
   }
 

@@ -3,8 +3,6 @@ import { neighbours, SIDES } from './neighbours.js';
 
 /** Texels along a block's edge. */
 export const EDGE = 4;
-/** Texels along a region's edge. */
-const REGION = 4 * EDGE;
 
 /** Square blocks of texels: what lies side by side in the cubemap lies near by in the world. */
 export interface Blocks {
@@ -14,8 +12,6 @@ export interface Blocks {
   readonly texels: Int32Array;
   /** Where each block begins in `texels`, and where the last one ends. */
   readonly first: Int32Array;
-  /** Square regions of up to sixteen blocks: the first block of each, and behind the last region's last. */
-  readonly regions: Int32Array;
   /** For each side of each block the block that lies beside it, or -1 where that may be several. */
   readonly beside: Int32Array;
   /** For each corner of each block the block that lies beyond it in the same face, or -1 where that ends. */
@@ -38,30 +34,24 @@ export function blocksOf(resolution: number): Blocks {
 function makeBlocks(n: number): Blocks {
   const texels: number[] = [];
   const first: number[] = [];
-  const regions: number[] = [];
   const blockOf = new Int32Array(6 * n * n);
   for (let face = 0; face < 6; face++) {
-    for (const [rx, ry] of places(0, 0, n, REGION, n)) {
-      regions.push(first.length);
-      for (const [bx, by] of places(rx, ry, REGION, EDGE, n)) {
-        const block = first.length;
-        first.push(texels.length);
-        for (const [x, y] of places(bx, by, EDGE, 1, n)) {
-          const texel = texelIndex(face, x, y, n);
-          blockOf[texel] = block;
-          texels.push(texel);
-        }
+    for (const [bx, by] of places(0, 0, n, EDGE, n)) {
+      const block = first.length;
+      first.push(texels.length);
+      for (const [x, y] of places(bx, by, EDGE, 1, n)) {
+        const texel = texelIndex(face, x, y, n);
+        blockOf[texel] = block;
+        texels.push(texel);
       }
     }
   }
   const count = first.length;
-  regions.push(count);
   first.push(texels.length);
   return {
     count,
     texels: Int32Array.from(texels),
     first: Int32Array.from(first),
-    regions: Int32Array.from(regions),
     ...findNeighbours(n, texels, first, blockOf),
   };
 }

@@ -37,6 +37,12 @@ export function findContacts(
   target: ContactSet,
 ): ContactSet {
   target.count = 0;
+  axis[0] = capsule.x;
+  axis[1] = capsule.z;
+  axis[2] = capsule.y + capsule.radius;
+  axis[3] = Math.max(axis[2]!, capsule.y + capsule.height - capsule.radius);
+  axis[4] = capsule.radius + reach;
+  memory.gather();
   for (let k = 0; k < memory.kept.length; k++) {
     findIn(memory, k, capsule, reach, target);
   }
@@ -51,8 +57,8 @@ function findIn(
   target: ContactSet,
 ): void {
   const field = memory.kept[kept]!;
-  const { surfels, again, blocks, distance } = field;
-  const { block, data, first, firstBlock, origin, piece, region } = surfels;
+  const { surfels, again, blocks, distance, near, nears } = field;
+  const { block, data, first, origin, piece } = surfels;
   const x = capsule.x - origin.x;
   const z = capsule.z - origin.z;
   const low = capsule.y + capsule.radius - origin.y;
@@ -70,23 +76,21 @@ function findIn(
   }
   notes = 0;
   let n = 0;
-  for (let r = 0; r < firstBlock.length - 1; r++) {
-    if (isOutOfReach(region, PIECE * r)) continue;
-    for (let b = firstBlock[r]!; b < firstBlock[r + 1]!; b++) {
-      let away = blocks[b] === NONE || isOutOfReach(block, PIECE * b);
-      while (!away && surfels.refine(b)) away = isOutOfReach(block, PIECE * b);
-      if (away || !memory.hasOwn(kept, b)) continue;
-      for (let i = first[b]!; i < first[b + 1]!; i++) {
-        if (again[i] === 1 || isOutOfReach(piece, PIECE * i)) continue;
-        note(field, i);
-        if (nearest[4]! >= reached) continue;
-        foundSurfel[n] = i;
-        found[4 * n] = nearest[0]!;
-        found[4 * n + 1] = nearest[1]!;
-        found[4 * n + 2] = nearest[2]!;
-        found[4 * n + 3] = nearest[5]!;
-        n++;
-      }
+  for (let a = 0; a < nears; a++) {
+    const b = near[a]!;
+    let away = blocks[b] === NONE || isOutOfReach(block, PIECE * b);
+    while (!away && surfels.refine(b)) away = isOutOfReach(block, PIECE * b);
+    if (away || !memory.hasOwn(kept, b)) continue;
+    for (let i = first[b]!; i < first[b + 1]!; i++) {
+      if (again[i] === 1 || isOutOfReach(piece, PIECE * i)) continue;
+      note(field, i);
+      if (nearest[4]! >= reached) continue;
+      foundSurfel[n] = i;
+      found[4 * n] = nearest[0]!;
+      found[4 * n + 1] = nearest[1]!;
+      found[4 * n + 2] = nearest[2]!;
+      found[4 * n + 3] = nearest[5]!;
+      n++;
     }
   }
 

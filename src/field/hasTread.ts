@@ -1,6 +1,6 @@
 import type { Capsule } from './Capsule.js';
 import { type FieldMemory, NONE } from './FieldMemory.js';
-import { MIXED, PIECE } from './pieces.js';
+import { axis, MIXED, PIECE } from './pieces.js';
 
 /** x, z and radius of an upright cylinder, its lower and upper end's y, and the least Y of the normals of interest. */
 const query = /* @__PURE__ */ new Float64Array(6);
@@ -19,24 +19,28 @@ export function hasTread(
   reach: number,
   slope: number,
 ): boolean {
+  axis[0] = capsule.x;
+  axis[1] = capsule.z;
+  axis[2] = capsule.y + low;
+  axis[3] = capsule.y + high;
+  axis[4] = capsule.radius + reach;
+  memory.gather();
   for (let k = 0; k < memory.kept.length; k++) {
-    const { surfels, again, blocks } = memory.kept[k]!;
-    const { block, first, firstBlock, origin, piece, region } = surfels;
+    const { surfels, again, blocks, near, nears } = memory.kept[k]!;
+    const { block, first, origin, piece } = surfels;
     query[0] = capsule.x - origin.x;
     query[1] = capsule.z - origin.z;
     query[2] = capsule.radius + reach;
     query[3] = capsule.y + low - origin.y;
     query[4] = capsule.y + high - origin.y;
     query[5] = slope;
-    for (let r = 0; r < firstBlock.length - 1; r++) {
-      if (!mayBeTread(region, PIECE * r)) continue;
-      for (let b = firstBlock[r]!; b < firstBlock[r + 1]!; b++) {
-        let may = blocks[b] !== NONE && mayBeTread(block, PIECE * b);
-        while (may && surfels.refine(b)) may = mayBeTread(block, PIECE * b);
-        if (!may || !memory.hasOwn(k, b)) continue;
-        for (let i = first[b]!; i < first[b + 1]!; i++) {
-          if (again[i] === 0 && mayBeTread(piece, PIECE * i)) return true;
-        }
+    for (let a = 0; a < nears; a++) {
+      const b = near[a]!;
+      let may = blocks[b] !== NONE && mayBeTread(block, PIECE * b);
+      while (may && surfels.refine(b)) may = mayBeTread(block, PIECE * b);
+      if (!may || !memory.hasOwn(k, b)) continue;
+      for (let i = first[b]!; i < first[b + 1]!; i++) {
+        if (again[i] === 0 && mayBeTread(piece, PIECE * i)) return true;
       }
     }
   }

@@ -54,7 +54,7 @@ export function isOutOfReach(piece: Float32Array, p: number): boolean {
 }
 
 /** Finds a ball around the balls of `from` to (less) `to`, of any planes. */
-export function boundBalls(
+function boundBalls(
   balls: Float32Array,
   from: number,
   to: number,
@@ -89,7 +89,6 @@ export function boundBalls(
   target[o + 2] = z;
   // Rounded, it must still hold all.
   target[o + 3] = extent * (1 + 1e-6);
-  target[o + 7] = MIXED;
 }
 
 /** Finds what tells block `b`, made of pieces `from` to (less) `to`, apart. */

@@ -62,26 +62,31 @@ export function timeOfImpact(
   query[9] = radius + graze;
   query[10] = graze < gap ? GRAZING * length : 0;
   query[11] = 1;
+  // What the axis sweeps lies around the middle of its way.
+  axis[0] = capsule.x + x / 2;
+  axis[1] = capsule.z + z / 2;
+  axis[2] = capsule.y + radius + Math.min(0, y);
+  axis[3] = Math.max(capsule.y + radius, capsule.y + capsule.height - radius) + Math.max(0, y);
+  axis[4] = radius + gap + Math.sqrt(x * x + z * z) / 2;
+  memory.gather();
   for (let k = 0; k < memory.kept.length; k++) {
-    const { surfels, again, blocks } = memory.kept[k]!;
-    const { block, first, firstBlock, object, origin, piece, region } = surfels;
+    const { surfels, again, blocks, near, nears } = memory.kept[k]!;
+    const { block, first, object, origin, piece } = surfels;
     const id = only === null ? 0 : surfels.objects.indexOf(only) + 1;
     if (only !== null && id === 0) continue;
     query[0] = capsule.x - origin.x;
     query[1] = capsule.z - origin.z;
     query[2] = capsule.y + radius - origin.y;
     query[3] = Math.max(query[2]!, capsule.y + capsule.height - radius - origin.y);
-    for (let r = 0; r < firstBlock.length - 1; r++) {
-      if (passesBy(region, PIECE * r)) continue;
-      for (let b = firstBlock[r]!; b < firstBlock[r + 1]!; b++) {
-        let away = blocks[b] === NONE || passesBy(block, PIECE * b);
-        while (!away && surfels.refine(b)) away = passesBy(block, PIECE * b);
-        if (away || !memory.hasOwn(k, b)) continue;
-        for (let i = first[b]!; i < first[b + 1]!; i++) {
-          if (again[i] === 1 || passesBy(piece, PIECE * i)) continue;
-          if (id !== 0 && object[i] !== id) continue;
-          impact(surfels, i);
-        }
+    for (let a = 0; a < nears; a++) {
+      const b = near[a]!;
+      let away = blocks[b] === NONE || passesBy(block, PIECE * b);
+      while (!away && surfels.refine(b)) away = passesBy(block, PIECE * b);
+      if (away || !memory.hasOwn(k, b)) continue;
+      for (let i = first[b]!; i < first[b + 1]!; i++) {
+        if (again[i] === 1 || passesBy(piece, PIECE * i)) continue;
+        if (id !== 0 && object[i] !== id) continue;
+        impact(surfels, i);
       }
     }
   }
