@@ -1,7 +1,7 @@
 import type { Vector3 } from 'three';
 import { AxisMaxima } from '../cube/AxisMaxima.js';
 import { decodeSurface } from '../cube/encoding.js';
-import { texelDirections } from '../cube/texelDirections.js';
+import { sharedDirections } from '../cube/texelDirections.js';
 import { SurfaceField } from '../field/SurfaceField.js';
 import type { CubeColliderSettings } from './CubeColliderOptions.js';
 import type { CubeColliderStats } from './CubeColliderStats.js';
@@ -45,7 +45,7 @@ export class NewestRead {
       this.maxima = this.#axisMaxima;
     } else {
       const { resolution, supersample } = this.#settings;
-      this.#directions ??= texelDirections(resolution);
+      this.#directions ??= sharedDirections(resolution);
       const next = (this.#fields[this.#stats.reads % 2] ??= new SurfaceField(
         resolution,
         stamp.far,

@@ -1,7 +1,7 @@
 import { FACES } from './faces.js';
 import { atlasIndex, texelIndex } from './atlas.js';
 import { finerDirection, PLACE_BITS, PLACES } from './finerTexel.js';
-import { texelDirection } from './texelDirections.js';
+import { sharedDirections } from './texelDirections.js';
 import type { SurfaceField } from '../field/SurfaceField.js';
 
 /**
@@ -111,33 +111,36 @@ export function decodeSurface(
 ): void {
   const { resolution, far, direction, distance, normal, front, object, instance } = field;
   const steps = NORMAL_STEPS[format];
+  const middles = sharedDirections(resolution);
   for (let face = 0; face < FACES.length; face++) {
     for (let y = 0; y < resolution; y++) {
       let from = 4 * atlasIndex(face, 0, y, resolution);
       let to = texelIndex(face, 0, y, resolution);
       for (let x = 0; x < resolution; x++, from += 4, to++) {
         let d: number;
-        let ox: number;
-        let oy: number;
-        let isFront: boolean;
+        let ox = 0;
+        let oy = 0;
+        let isFront = false;
         let seen = 0;
         let which = 0;
         let place = 0;
         if (format === 'RGBA32F') {
           d = data[from]!;
-          const packed = data[from + 1]!;
-          const high = Math.floor(packed / 4096);
-          ox = (2 * high) / steps - 1;
-          oy = (2 * (packed - 4096 * high)) / steps - 1;
-          const side = data[from + 2]!;
-          isFront = side > 0;
-          seen = Math.abs(side);
-          if (supersample > 1) {
-            place = seen & (PLACES - 1);
-            seen = seen >> PLACE_BITS;
+          if (d > 0) {
+            const packed = data[from + 1]!;
+            const high = Math.floor(packed / 4096);
+            ox = (2 * high) / steps - 1;
+            oy = (2 * (packed - 4096 * high)) / steps - 1;
+            const side = data[from + 2]!;
+            isFront = side > 0;
+            seen = Math.abs(side);
+            if (supersample > 1) {
+              place = seen & (PLACES - 1);
+              seen = seen >> PLACE_BITS;
+            }
+            seen -= 1;
+            which = data[from + 3]!;
           }
-          seen -= 1;
-          which = data[from + 3]!;
         } else if (format === 'RGBA16F') {
           const high = data[from]!;
           isFront = high > 0;
@@ -156,10 +159,14 @@ export function decodeSurface(
           oy = (2 * data[from + 3]!) / steps - 1;
         }
         if (!(d > 0)) {
+          // Of the sky most was sky before: then all the rest is as it should be.
+          if (distance[to] === Infinity) continue;
           distance[to] = Infinity;
           front[to] = object[to] = instance[to] = 0;
           normal[3 * to] = normal[3 * to + 1] = normal[3 * to + 2] = 0;
-          if (supersample > 1) texelDirection(face, x, y, resolution, direction, 3 * to);
+          if (supersample > 1) {
+            for (let v = 3 * to; v < 3 * to + 3; v++) direction[v] = middles[v]!;
+          }
           continue;
         }
         distance[to] = d;

@@ -30,5 +30,17 @@ export const FACES: readonly Face[] = [
   { name: '-Z', side: 'front', forward: [0, 0, -1], right: [1, 0, 0], up: [0, 1, 0] },
 ];
 
+/**
+ * The same in numbers for loops over texels, 6 a face: which of x, y, z (0 to 2) `forward`, `right` and `up` lie along,
+ * and the sign of each.
+ */
+export const FACE_AXES = /* @__PURE__ */ Int8Array.from(
+  FACES.flatMap(({ forward, right, up }) => {
+    const axes = [forward, right, up];
+    const along = axes.map((axis) => axis.findIndex((part) => part !== 0));
+    return [...along, ...along.map((axis, i) => axes[i]![axis]!)];
+  }),
+);
+
 /** The index of a face in `FACES`, by name of its axis. */
 export const FACE = { PX: 0, NX: 1, PY: 2, NY: 3, PZ: 4, NZ: 5 } as const;

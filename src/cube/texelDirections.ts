@@ -1,5 +1,5 @@
 import { texelIndex } from './atlas.js';
-import { FACES } from './faces.js';
+import { FACE_AXES } from './faces.js';
 
 /**
  * Unit vectors from the centre through the middle of every texel, world axes: equations (14)-(16) with r = 1.
@@ -22,6 +22,15 @@ export function texelDirections(resolution: number): Float32Array {
   return directions;
 }
 
+const known = new Map<number, Float32Array>();
+
+/** The same, made once a resolution and shared: only to be read. */
+export function sharedDirections(resolution: number): Float32Array {
+  let directions = known.get(resolution);
+  if (directions === undefined) known.set(resolution, (directions = texelDirections(resolution)));
+  return directions;
+}
+
 /**
  * The unit vector through the middle of one texel, world axes.
  *
@@ -35,14 +44,15 @@ export function texelDirection(
   target: Float32Array | number[],
   offset = 0,
 ): void {
-  const { forward, right, up } = FACES[face]!;
-  const u = (2 * x + 1) / resolution - 1;
-  const v = (2 * y + 1) / resolution - 1;
+  const step = 1 / resolution;
+  const u = (2 * x + 1) * step - 1;
+  const v = (2 * y + 1) * step - 1;
   const inverse = 1 / Math.sqrt(1 + u * u + v * v);
-  // Written out: a decoder asks thousands of times a field.
-  target[offset] = (forward[0] + u * right[0] + v * up[0]) * inverse;
-  target[offset + 1] = (forward[1] + u * right[1] + v * up[1]) * inverse;
-  target[offset + 2] = (forward[2] + u * right[2] + v * up[2]) * inverse;
+  // Without FACES: a decoder asks thousands of times a field.
+  const a = 6 * face;
+  target[offset + FACE_AXES[a]!] = FACE_AXES[a + 3]! * inverse;
+  target[offset + FACE_AXES[a + 1]!] = FACE_AXES[a + 4]! * u * inverse;
+  target[offset + FACE_AXES[a + 2]!] = FACE_AXES[a + 5]! * v * inverse;
 }
 
 /**
@@ -55,13 +65,23 @@ export function directionTexel(x: number, y: number, z: number, resolution: numb
   const ax = Math.abs(x);
   const ay = Math.abs(y);
   const az = Math.abs(z);
-  const axis = ax >= ay && ax >= az ? 0 : ay >= az ? 1 : 2;
-  const along = axis === 0 ? x : axis === 1 ? y : z;
-  const face = 2 * axis + (along < 0 ? 1 : 0);
-  const { right, up } = FACES[face]!;
-  const depth = Math.abs(along);
-  const u = (x * right[0] + y * right[1] + z * right[2]) / depth;
-  const v = (x * up[0] + y * up[1] + z * up[2]) / depth;
+  // What `right` and `up` of FACES tell, written out.
+  let face: number;
+  let u: number;
+  let v: number;
+  if (ax >= ay && ax >= az) {
+    face = x < 0 ? 1 : 0;
+    u = (x < 0 ? -z : z) / ax;
+    v = y / ax;
+  } else if (ay >= az) {
+    face = y < 0 ? 3 : 2;
+    u = x / ay;
+    v = (y < 0 ? -z : z) / ay;
+  } else {
+    face = z < 0 ? 5 : 4;
+    u = (z < 0 ? x : -x) / az;
+    v = y / az;
+  }
   const column = Math.min(resolution - 1, Math.floor((u + 1) * 0.5 * resolution));
   const row = Math.min(resolution - 1, Math.floor((v + 1) * 0.5 * resolution));
   return texelIndex(face, column, row, resolution);
