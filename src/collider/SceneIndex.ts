@@ -23,7 +23,8 @@ const sphere = new Sphere();
 
 /**
  * Knows where the objects of a scene are without walking it. What is near is looked at in every call: there everything
- * is noticed at once. The rest is looked at in turns, all of it in 8 calls, 64 objects in each at least; what is added to a scene, or to one of its first 1024 groups, is noticed at once too.
+ * is noticed at once. The rest is looked at in turns, all of it in 8 calls, 64 objects in each at least; what is added to
+ * a scene, or to one of its first 1024 groups, is noticed at once too.
  *
  * It keeps no object that has left the scene longer than it takes to notice that.
  */

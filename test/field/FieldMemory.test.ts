@@ -1,6 +1,10 @@
 import { Euler, Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
+import { ContactSet } from '../../src/field/ContactSet.js';
 import { FieldMemory } from '../../src/field/FieldMemory.js';
+import { findContacts } from '../../src/field/findContacts.js';
+import { hasTread } from '../../src/field/hasTread.js';
+import { timeOfImpact } from '../../src/field/timeOfImpact.js';
 import { SIDES } from '../../src/field/neighbours.js';
 import { axis, isOutOfReach, PIECE } from '../../src/field/pieces.js';
 import {
@@ -20,6 +24,42 @@ import { World } from '../support/world/World.js';
 /** A box in front of the field's centre, at (0, 0.9, 0): its shadow lies behind it. */
 const shadowed = () => new World(ground(), block([0.5, 0, -0.3], [0.9, 1.5, 0.3]));
 const EYE = new Vector3(0, 0.9, 0);
+
+describe('gather', () => {
+  it('should leave out nothing that a question is about, wherever the body goes (seed 62)', () => {
+    const between = dice(62);
+    let met = 0;
+    for (let run = 0; run < 8; run++) {
+      const yard = randomWorld(() => between(0, 1));
+      const memory = new FieldMemory(UPRIGHT);
+      const foot = new Vector3(between(-6, 6), between(0, 0.4), between(-6, 6));
+      for (let k = 0; k < 3; k++) {
+        memory.take(drawn(yard, new Vector3(foot.x + 0.3 * k, foot.y + 0.7, foot.z)));
+      }
+      for (let step = 0; step < 60; step++) {
+        foot.add(new Vector3(between(-0.1, 0.1), between(-0.05, 0.05), between(-0.1, 0.1)));
+        const body = capsuleAt(foot.x, foot.y, foot.z);
+        const way = { x: between(-0.3, 0.3), y: between(-0.5, 0.5), z: between(-0.3, 0.3) };
+        const reach = between(0.02, 0.3);
+        const ask = () => {
+          const { count, gap, normal } = findContacts(memory, body, reach, new ContactSet());
+          return {
+            gaps: gap.slice(0, count),
+            normals: normal.slice(0, 3 * count),
+            part: timeOfImpact(memory, body, way, 0.01),
+            tread: hasTread(memory, body, 0.01, 0.4, reach, 0.7),
+          };
+        };
+        const first = ask();
+        if (first.part < 1) met++;
+        // Collected anew, just for this.
+        memory.revision++;
+        expect(ask(), `run ${run}, step ${step}`).toEqual(first);
+      }
+    }
+    expect(met).toBeGreaterThan(50);
+  });
+});
 
 describe('FieldMemory', () => {
   const world = new World(ground());

@@ -9,6 +9,7 @@ import { cornersOf, dice, drawn, unionDistance, UPRIGHT } from '../support/field
 import { randomWorld } from '../support/world/randomWorld.js';
 import { Ball, Box, ground, Plane, room } from '../support/world/scenes.js';
 import { World } from '../support/world/World.js';
+import { WorldCollider } from '../support/world/WorldCollider.js';
 
 const MILLIMETRE = 1e-3;
 
@@ -329,6 +330,42 @@ describe('Surfels that nobody has asked for yet', () => {
     expect(flat).toBeGreaterThan(1000);
     expect(mixed).toBeGreaterThan(1000);
   });
+
+  it.each([1, 2])(
+    'should lie no farther than their block says at any time before it is made, supersample %i (seed 27)',
+    (supersample) => {
+      const between = dice(27);
+      let smaller = 0;
+      for (let run = 0; run < 6; run++) {
+        const yard = randomWorld(() => between(0, 1));
+        const toBody = run % 2 === 0 ? UPRIGHT : tilted;
+        for (const resolution of [16, 18, 32]) {
+          const collider = new WorldCollider(yard, { resolution, supersample });
+          collider.position.set(between(-8, 8), between(0.5, 1.2), between(-8, 8));
+          collider.update();
+          const made = new Surfels(resolution).fill(collider.field!, toBody).findAll();
+          const { block, first } = new Surfels(resolution).fill(collider.field!, toBody);
+          const refined = new Surfels(resolution).fill(collider.field!, toBody);
+          for (let b = 0; b < first.length - 1; b++) {
+            const corners = [];
+            for (let i = first[b]!; i < first[b + 1]!; i++) corners.push(...cornersOf(made, i));
+            do {
+              const [x, y, z, extent] = refined.block.subarray(PIECE * b, PIECE * b + 4);
+              const middle = new Vector3(x, y, z).add(made.origin);
+              for (const corner of corners) {
+                const away = corner.distanceTo(middle);
+                expect(away, `run ${run}, block ${b}`).toBeLessThan(extent! + 1e-5);
+              }
+            } while (refined.refine(b));
+            if (refined.block[PIECE * b + 3]! < 0.9 * block[PIECE * b + 3]!) smaller++;
+          }
+          expect(refined.data).toEqual(made.data);
+          expect(refined.piece).toEqual(made.piece);
+        }
+      }
+      expect(smaller).toBeGreaterThan(1000);
+    },
+  );
 
   it('should be carried along with their object as those that are there', () => {
     const box = new Box(0.3, 0.3, 0.3).at(0.5, 0.4, 0);
