@@ -336,7 +336,7 @@ describe('Surfels that nobody has asked for yet', () => {
     (supersample) => {
       const between = dice(27);
       let smaller = 0;
-      for (let run = 0; run < 6; run++) {
+      for (let run = 0; run < 3; run++) {
         const yard = randomWorld(() => between(0, 1));
         const toBody = run % 2 === 0 ? UPRIGHT : tilted;
         for (const resolution of [16, 18, 32]) {
@@ -363,7 +363,7 @@ describe('Surfels that nobody has asked for yet', () => {
           expect(refined.piece).toEqual(made.piece);
         }
       }
-      expect(smaller).toBeGreaterThan(1000);
+      expect(smaller).toBeGreaterThan(300);
     },
   );
 
