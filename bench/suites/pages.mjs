@@ -23,10 +23,10 @@ longest stretch.`,
     about: `Main-thread time of a character's step, on the same hills and on real levels, averaged over the frames of a walk. Ours is
 split where it can be: selecting what is near, submitting the draw, reading back, decoding, solving.
 
-The parts below tell why ours is several times Rapier's: about every sixth step brings a new field to copy, decode and solve
+The parts below tell why ours is several times Rapier's: about every seventh step brings a new field to copy, decode and solve
 anew, which is what p95 tells and what makes the mean twice the median; and in a page that is idle for most of each 16 ms a step
-begins with cold caches. In Node, one step after the other, a step takes 0.1 to 0.3 ms in the mean; where its
-caches are emptied in between, 0.2 to 0.45 (\`npm run bench:step\`, with \`-- --cold\`). By function:
+begins with cold caches. In Node, one step after the other, a step takes 0.05 to 0.3 ms in the mean; where its
+caches are emptied in between, 0.15 to 0.45 (\`npm run bench:step\`, with \`-- --cold\`). By function:
 [Where a step goes](#where-a-step-goes).`,
   },
   {
@@ -52,7 +52,7 @@ queries into each object's own space; Octree and Rapier have to be built anew wh
     title: 'Many characters',
     about: `Main-thread time a frame for 1, 10 and 100 characters that walk on their own in one level. Ours are in a
 \`CubeColliderGroup\`: five cubemaps a render, one read. What is left is each one's own step: a field to decode about every
-fifth frame, and the walk among its surfels: most of it, spread over a dozen small functions
+seventh frame, and the walk among its surfels: most of it, spread over a dozen small functions
 ([Where a step goes](#where-a-step-goes)), so that no one of them stands in the way; only fewer or smaller fields help. At \`resolution: 16\` a field has a
 quarter of the texels, and a character costs about half; for walkers whom nobody steers that is enough.`,
   },

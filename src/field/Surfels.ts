@@ -1,9 +1,9 @@
 import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
-import { type Blocks, blocksOf, EDGE } from './blocks.js';
+import { blocksOf, EDGE } from './blocks.js';
 import { boundQuads, LONGEST, middle } from './boundQuads.js';
-import { FACES } from '../cube/faces.js';
 import { setCorners } from './corners.js';
 import { APART, COPLANAR_LINK, type Extents, findExtents } from './extents.js';
+import { beyond, FlatBlocks, SAME_NORMAL, SAME_PLANE } from './FlatBlocks.js';
 import { isSeam } from './isSeam.js';
 import { STRIDE } from './layout.js';
 import { neighbours, SIDES } from './neighbours.js';
@@ -19,11 +19,9 @@ import { own, toWorldAxes, world } from './toWorldAxes.js';
 const LEAST_SLANT = 0.06;
 /** What of a surfel moves with its object. */
 const MOVING = 12;
-/** The same, from its ray: which may pass half a texel beside its middle. */
+/** How far a texel's piece goes beside its ray at most, in texels along each axis of the face: that may pass half a one
+ * beside the middle, and a neighbour's ray as much. */
 const ASIDE = 2;
-/** A block lies in one plane for sure if its texels' normals are closer than this, and none lies farther off, metres. */
-const SAME_NORMAL = 0.999999;
-const SAME_PLANE = 2e-5;
 /** What is known of a block: a ball around what its rays leave open; a smaller one; where its pieces end; all. */
 const ROUGH = 0;
 const AIMED = 1;
@@ -94,9 +92,7 @@ export class Surfels {
   readonly #texels: Texels;
   /** How much is known of each block, see `ROUGH`. */
   readonly #known: Uint8Array;
-  /** Of each block: how far the plane lies from the centre that it is in, and 1 if all its texels have surfels. */
-  readonly #offset: Float64Array;
-  readonly #whole: Uint8Array;
+  readonly #flat: FlatBlocks;
   readonly #toBody = new Quaternion();
   /** The character's, world axes. */
   readonly #up = new Vector3();
@@ -110,14 +106,13 @@ export class Surfels {
     this.block = new Float32Array(PIECE * blocks.count);
     this.first = new Int32Array(blocks.count + 1);
     this.#known = new Uint8Array(blocks.count);
-    this.#offset = new Float64Array(blocks.count);
-    this.#whole = new Uint8Array(blocks.count);
     this.blockOf = new Uint16Array(count);
     this.link = new Int32Array(SIDES * count);
     this.object = new Uint16Array(count);
     this.instance = new Uint32Array(count);
     this.distance = new Float32Array(count);
     this.ofTexel = new Int32Array(count);
+    this.#flat = new FlatBlocks(resolution, this.block, this.ofTexel);
     this.#extents = {
       reach: new Float32Array(SIDES * count),
       link: new Uint8Array(SIDES * count),
@@ -159,7 +154,6 @@ export class Surfels {
     this.#toBody.copy(toBody);
     this.#up.set(0, 1, 0).applyQuaternion(toWorld.copy(toBody).conjugate());
     this.#known.fill(ROUGH);
-
     this.#number(field);
     return this;
   }
@@ -361,8 +355,8 @@ export class Surfels {
       }
       const count = n - begin;
       block[o + 7] = flat ? ENDS : MIXED;
-      this.#offset[b] = offset;
-      this.#whole[b] = count === end - blocks.first[b]! ? 1 : 0;
+      this.#flat.offset[b] = offset;
+      this.#flat.whole[b] = count === end - blocks.first[b]! ? 1 : 0;
       if (count === 0) {
         block[o] = AWAY;
         block[o + 1] = block[o + 2] = block[o + 3] = 0;
@@ -375,7 +369,7 @@ export class Surfels {
       block[o] = x;
       block[o + 1] = y;
       block[o + 2] = z;
-      let extent = flat ? this.#flatExtent(b, offset, blocks, beyond(resolution)) : Infinity;
+      let extent = flat ? this.#flat.extent(b, beyond(resolution)) : Infinity;
       if (extent === Infinity) {
         extent = 0;
         for (let p = 0; p < 4 * count; p += 4) {
@@ -389,7 +383,7 @@ export class Surfels {
       block[o + 3] = extent;
     }
     this.count = this.first[blocks.count] = n;
-    this.#findMidsts(blocks);
+    this.#flat.findMidsts();
     if (this.#toBody.w !== 1) {
       for (let b = 0; b < blocks.count; b++) {
         if (block[PIECE * b] === AWAY) continue;
@@ -397,86 +391,6 @@ export class Surfels {
         rotate(block, PIECE * b + 4, this.#toBody);
       }
     }
-  }
-
-  /**
-   * How far from its middle anything of a block can lie that is in one plane: where the rays around what it saw meet that.
-   *
-   * @param more how far beyond the texels' borders those pass, in texels
-   * @returns metres; Infinity where they do not
-   */
-  #flatExtent(b: number, offset: number, { texels, first }: Blocks, more: number): number {
-    const { block, ofTexel, resolution: n } = this;
-    const o = PIECE * b;
-    let x0 = n;
-    let x1 = 0;
-    let y0 = n;
-    let y1 = 0;
-    const end = first[b + 1]!;
-    for (let a = first[b]!; a < end; a++) {
-      const texel = texels[a]!;
-      if (ofTexel[texel]! < 0) continue;
-      const x = texel % n;
-      const y = Math.floor(texel / n) % n;
-      x0 = Math.min(x0, x);
-      x1 = Math.max(x1, x);
-      y0 = Math.min(y0, y);
-      y1 = Math.max(y1, y);
-    }
-    const { forward: f, right: r, up: u } = FACES[Math.floor(texels[end - 1]! / (n * n))]!;
-    const step = 2 / n;
-    const left = step * (x0 - more) - 1;
-    const right = step * (x1 + 1 + more) - 1;
-    const bottom = step * (y0 - more) - 1;
-    const top = step * (y1 + 1 + more) - 1;
-    let farthest = 0;
-    for (let c = 0; c < 4; c++) {
-      const across = (c & 1) === 0 ? left : right;
-      const up = c < 2 ? bottom : top;
-      const rx = f[0] + across * r[0] + up * u[0];
-      const ry = f[1] + across * r[1] + up * u[1];
-      const rz = f[2] + across * r[2] + up * u[2];
-      const depth = offset / (block[o + 4]! * rx + block[o + 5]! * ry + block[o + 6]! * rz);
-      if (!(depth > 0 && depth < Infinity)) return Infinity;
-      const x = depth * rx - block[o]!;
-      const y = depth * ry - block[o + 1]!;
-      const z = depth * rz - block[o + 2]!;
-      const squared = x * x + y * y + z * z;
-      if (squared > farthest) farthest = squared;
-    }
-    return Math.sqrt(farthest);
-  }
-
-  /** Which blocks lie in the midst of a plane: floors and walls are told apart without a closer look. */
-  #findMidsts(blocks: Blocks): void {
-    const { count, beside, diagonal } = blocks;
-    const { block } = this;
-    for (let b = 0; b < count; b++) {
-      if (block[PIECE * b + 7] === MIXED || this.#whole[b] === 0) continue;
-      let around = 0;
-      while (around < SIDES && this.#isOnePlane(b, beside[SIDES * b + around]!)) around++;
-      if (around < SIDES) continue;
-      for (let i = 4 * b; i < 4 * b + 4 && around === SIDES; i++) {
-        if (diagonal[i]! >= 0 && !this.#isOnePlane(b, diagonal[i]!)) around = 0;
-      }
-      if (around < SIDES) continue;
-      block[PIECE * b + 7] = GOES_ON;
-      // Its pieces end at its own border.
-      const extent = this.#flatExtent(b, this.#offset[b]!, blocks, 0) * (1 + 1e-6);
-      if (extent < block[PIECE * b + 3]!) block[PIECE * b + 3] = extent;
-    }
-  }
-
-  /** Does another block lie in the plane of this one, whole? */
-  #isOnePlane(b: number, other: number): boolean {
-    const { block } = this;
-    if (other < 0 || this.#whole[other] === 0) return false;
-    const o = PIECE * b;
-    const p = PIECE * other;
-    if (block[p + 7] === MIXED) return false;
-    const alike =
-      block[o + 4]! * block[p + 4]! + block[o + 5]! * block[p + 5]! + block[o + 6]! * block[p + 6]!;
-    return alike > SAME_NORMAL && Math.abs(this.#offset[b]! - this.#offset[other]!) < SAME_PLANE;
   }
 
   /**
@@ -595,14 +509,6 @@ const rough = /* @__PURE__ */ new Float64Array(4 * EDGE * EDGE);
 const toWorld = /* @__PURE__ */ new Quaternion();
 const since = /* @__PURE__ */ new Matrix4();
 const toBodyMatrix = /* @__PURE__ */ new Matrix4();
-
-/**
- * How far beyond its own border a texel's piece goes at most, in texels along each axis of its face: to the neighbour's
- * far border, which beyond the edge of the face lies a little farther.
- */
-function beyond(resolution: number): number {
-  return resolution / Math.max(1, resolution - 2);
-}
 
 /** Does the matrix keep lengths, to a part in a thousand? */
 function isRigid({ elements: e }: Matrix4): boolean {
