@@ -30,12 +30,17 @@ export const FACES: readonly Face[] = [
   { name: '-Z', side: 'front', forward: [0, 0, -1], right: [1, 0, 0], up: [0, 1, 0] },
 ];
 
+/** Of each face `forward`, `right` and `up`, 3 numbers each. */
+export const FACE_VECTORS: readonly Float64Array[] = /* @__PURE__ */ FACES.map(
+  ({ forward, right, up }) => new Float64Array([...forward, ...right, ...up]),
+);
+
 /**
- * The same in numbers for loops over texels, 6 a face: which of x, y, z (0 to 2) `forward`, `right` and `up` lie along,
- * and the sign of each.
+ * The same in whole numbers, 6 a face, for loops over texels: which of x, y, z (0 to 2) `forward`, `right` and `up` lie
+ * along, and the sign of each.
  */
 export const FACE_AXES = /* @__PURE__ */ Int8Array.from(
-  FACES.flatMap(({ forward, right, up }) => {
+  /* @__PURE__ */ FACES.flatMap(({ forward, right, up }) => {
     const axes = [forward, right, up];
     const along = axes.map((axis) => axis.findIndex((part) => part !== 0));
     return [...along, ...along.map((axis, i) => axes[i]![axis]!)];

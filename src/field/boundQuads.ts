@@ -1,14 +1,9 @@
-import { FACES } from '../cube/faces.js';
+import { FACE_VECTORS } from '../cube/faces.js';
 import { SIDES } from './neighbours.js';
 import type { Texels } from './Texels.js';
 
 /** As far as a piece goes from its point, metres: see `setCorners`. */
 export const LONGEST = 1;
-
-/** Of each face the axes: forward, right and up. */
-const AXES = /* @__PURE__ */ FACES.map(
-  ({ forward, right, up }) => new Float64Array([...forward, ...right, ...up]),
-);
 
 /** The middle of a ball: x, y, z, world axes, from the field's centre. (Numbers handed over would be boxed.) */
 export const middle = /* @__PURE__ */ new Float64Array(3);
@@ -43,7 +38,7 @@ export function boundQuads(
   for (let a = from; a < to; a++) {
     const texel = list[a]!;
     if (ofTexel[texel]! < 0) continue;
-    const face = AXES[Math.floor(texel / (n * n))]!;
+    const face = FACE_VECTORS[Math.floor(texel / (n * n))]!;
     const fx = face[0]!;
     const fy = face[1]!;
     const fz = face[2]!;

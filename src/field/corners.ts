@@ -1,13 +1,8 @@
-import { FACES } from '../cube/faces.js';
+import { FACE_VECTORS } from '../cube/faces.js';
 import { CREASE, type Extents, meeting } from './extents.js';
 import { CORNERS, MOST_CORNERS } from './layout.js';
 import { SIDES } from './neighbours.js';
 import type { Texels } from './Texels.js';
-
-/** Of each face the axes: forward, right and up. */
-const AXES = /* @__PURE__ */ FACES.map(
-  ({ forward, right, up }) => new Float64Array([...forward, ...right, ...up]),
-);
 
 /** A polygon being cut, and what is left of it. */
 let polygon = new Float32Array(2 * (MOST_CORNERS + 1));
@@ -33,7 +28,7 @@ export function setCorners(
   p: number,
 ): void {
   const n = texels.resolution;
-  const face = AXES[Math.floor(texel / (n * n))]!;
+  const face = FACE_VECTORS[Math.floor(texel / (n * n))]!;
   const x = texel % n;
   const y = Math.floor(texel / n) % n;
   const s = SIDES * texel;
