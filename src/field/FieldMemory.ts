@@ -68,7 +68,10 @@ export class FieldMemory {
     }
     // What nothing so far shows again, the newest may.
     for (const { blocks } of this.kept) {
-      for (let b = 0; b < blocks.length; b++) if (blocks[b] !== NONE) blocks[b]!++;
+      for (let b = 0; b < blocks.length; b++) {
+        // No field has more newer ones than that; counted on, the byte would run over into NONE.
+        if (blocks[b] !== NONE && blocks[b]! < OWN + KEPT) blocks[b]!++;
+      }
     }
     this.kept.unshift(slot);
     this.revision++;

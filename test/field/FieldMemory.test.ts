@@ -68,6 +68,17 @@ describe('FieldMemory', () => {
   const at = (x: number, options = {}) => drawn(world, new Vector3(x, 0.9, 0), options);
   const places = (memory: FieldMemory) => memory.kept.map(({ surfels }) => surfels.center.x);
 
+  it('should know what an older field alone shows, however often the newest is drawn anew', () => {
+    const memory = new FieldMemory(UPRIGHT);
+    const scene = shadowed();
+    memory.take(drawn(scene, new Vector3(1.4, 0.9, 0)));
+    for (let i = 0; i < 600; i++) memory.take(drawn(scene, EYE, { resolution: 32 }));
+    const { surfels } = memory.kept[1]!;
+    let own = 0;
+    for (let b = 0; b < surfels.first.length - 1; b++) if (memory.hasOwn(1, b)) own++;
+    expect(own).toBeGreaterThan(20);
+  });
+
   it('should keep three fields, the newest first', () => {
     const memory = new FieldMemory(UPRIGHT);
     expect(memory.newest).toBe(null);
